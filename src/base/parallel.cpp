@@ -1,0 +1,25 @@
+#include "base/parallel.h"
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace rb {
+
+void parallel_for(size_t count, int threads, const std::function<void(size_t)>& body) {
+    if (threads == 1) {
+        for (size_t i = 0; i < count; ++i) body(i);
+        return;
+    }
+    tbb::task_arena arena(threads > 0 ? threads : default_thread_count());
+    arena.execute([&] { tbb::parallel_for(size_t{0}, count, body, tbb::simple_partitioner{}); });
+}
+
+void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
+    tbb::parallel_invoke(a, b);
+}
+
+int default_thread_count() { return tbb::info::default_concurrency(); }
+
+}  // namespace rb

@@ -1,0 +1,39 @@
+#pragma once
+#include "compile/world.h"
+
+namespace rb {
+
+/// The surfaces of a world with everything that answers rays. Immutable while rendering; all functions are
+/// safe to call from many threads.
+class Geometry {
+public:
+    Geometry();
+    ~Geometry();
+
+    const std::vector<Leaf>& leaves() const;
+    const Leaf& leaf(uint32_t index) const { return leaves()[index]; }
+
+    /// The nearest crossing that counts (CSG, clips, mask), beyond the origin and before t_max.
+    bool closest(const RayQuery& query, Hit& hit) const;
+
+    /// True if anything with one of the query's mask bits lies before t_max; no order, first found wins.
+    /// `blocker` (in: a leaf to try first, or no_leaf; out: the leaf that blocked) makes the next query of a
+    /// similar ray cheap.
+    bool occluded(const RayQuery& query, uint32_t& blocker) const;
+
+    /// True if any leaf carries one of these bits: a query that asks only for absent bits can be skipped.
+    bool has(uint8_t mask) const;
+
+    /// Indices into World::interiors of the solids that contain `p`, in top-level order.
+    std::vector<uint32_t> interiors_at(const Vec3& p) const;
+
+    /// Surface coordinates for uv_mapping at a hit.
+    Vec2 uv(const Hit& hit) const;
+
+    /// Weights of a surface that wears several textures at once (a mesh with per-face textures) come later.
+
+    struct Parts;
+    std::unique_ptr<Parts> parts;
+};
+
+}  // namespace rb

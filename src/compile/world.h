@@ -1,0 +1,100 @@
+#pragma once
+#include "math/ray.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace rb {
+
+/// Which rays a surface takes part in; a query names the bits it wants.
+enum SurfaceMask : uint8_t {
+    seen_by_image = 1,       ///< camera rays and their refracted continuations (not no_image)
+    seen_by_reflection = 2,  ///< rays that have been reflected (not no_reflection)
+    blocks_light = 4,        ///< opaque for shadow rays (not no_shadow)
+    filters_light = 8,       ///< lets some light through: shadow rays need its texture
+    seen_by_gather = 16,     ///< radiosity rays (not no_radiosity)
+};
+
+/// What a surface wears, resolved after CSG inheritance; shared by all leaves that look alike.
+struct Surface {
+    WornTexture texture;  ///< never null: the default texture stands in
+    std::optional<WornTexture> interior_texture;
+    uint32_t interior = 0;  ///< index into World::interiors
+    bool uv_mapping = false;
+    bool double_illuminate = false;
+    SourceRange where;
+};
+
+/// One closed or open surface in the world: a shape, where it stands, and what it wears.
+struct Leaf {
+    ShapePtr shape;
+    Affine object_from_world;     ///< identity when `in_world_space`
+    bool in_world_space = false;  ///< the shape took its transform into its own numbers
+    bool inverted = false;        ///< normals and inside are turned (`inverse`, subtracted)
+    uint8_t mask = 0;             ///< SurfaceMask bits
+    uint32_t surface = 0;         ///< index into World::surfaces
+    uint32_t solid = 0;           ///< node of the solid tree that decides which crossings count
+};
+
+/// An interior together with its identity; `hollow` belongs to the object that carries it.
+struct WorldInterior {
+    Interior interior;
+    bool hollow = false;
+};
+
+constexpr uint32_t no_leaf = std::numeric_limits<uint32_t>::max();
+
+/// A ray's question to the geometry.
+struct RayQuery {
+    Ray ray;
+    double t_max = std::numeric_limits<double>::infinity();
+    uint8_t mask = seen_by_image;
+    uint32_t origin_leaf = no_leaf;  ///< the leaf on whose surface the ray starts
+    double origin_error = 0;         ///< bound on the distance of the origin to the true surface
+};
+
+struct Hit {
+    double t = 0;
+    Vec3 point{0.0};
+    Vec3 normal{0.0};  ///< unit, outward of the solid (inversions applied); not turned towards the ray
+    uint32_t leaf = no_leaf;
+    Crossing crossing;
+    double error = 0;  ///< bound on the distance of `point` to the true surface
+};
+
+class Geometry;  // compile/geometry.h: trees, solids, queries
+
+/// What rays need, and nothing else: made from a Scene by compile().
+struct World {
+    GlobalSettings settings;
+    int effective_version = 362;
+    std::vector<Surface> surfaces;
+    std::vector<WorldInterior> interiors;
+    std::vector<Light> lights;
+    std::optional<Color> background;
+    std::optional<SkySphere> sky_sphere;
+    std::vector<Fog> fogs;
+    Camera camera;
+    std::shared_ptr<const Geometry> geometry;
+};
+
+enum class GeometryMode { automatic, exact, tessellate };
+
+struct CompileOptions {
+    GeometryMode geometry = GeometryMode::automatic;
+    double tessellation_error_pixels = 0.05;
+    int image_width = 160;
+    int image_height = 120;
+    int threads = 0;
+    bool skip_unneeded = true;  ///< false: build and keep everything (`--no-skip`); same picture
+    bool brute_force = false;   ///< no kD-trees: every ray meets every leaf (the trees' slow twin)
+};
+
+/// Scene to World: flattens CSG, hands down textures and interiors, bakes transforms, builds the trees.
+/// Shapes that are not supported yet are reported and left out.
+World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics);
+
+}  // namespace rb

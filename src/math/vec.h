@@ -1,0 +1,23 @@
+#pragma once
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace rb {
+
+/// Space is left-handed as in the scene language: with the default camera x is right, y is up, z goes into
+/// the picture.
+using Vec2 = glm::dvec2;
+using Vec3 = glm::dvec3;
+using Vec3f = glm::vec3;
+
+inline constexpr double pi = 3.14159265358979323846;
+
+inline double max_component(const Vec3& v) {
+    return v.x > v.y ? (v.x > v.z ? v.x : v.z) : (v.y > v.z ? v.y : v.z);
+}
+inline double min_component(const Vec3& v) {
+    return v.x < v.y ? (v.x < v.z ? v.x : v.z) : (v.y < v.z ? v.y : v.z);
+}
+
+}  // namespace rb

@@ -1,0 +1,42 @@
+// checker COLOR, COLOR   (manual 3.4.7.1.4): unit cubes of two kinds in turn.
+#include "patterns/registry.h"
+
+#include <array>
+#include <cmath>
+
+namespace rb {
+
+namespace {
+
+class Checker final : public Pattern {
+public:
+    std::string_view keyword() const override { return "checker"; }
+    void evaluate(const PatternContext&, std::span<const Vec3> points,
+                  std::span<double> values) const override {
+        constexpr double epsilon = 1e-10;
+        for (size_t i = 0; i < points.size(); ++i) {
+            const Vec3& p = points[i];
+            const double cell =
+                std::floor(p.x + epsilon) + std::floor(p.y + epsilon) + std::floor(p.z + epsilon);
+            values[i] = std::fmod(cell, 2.0) != 0.0 ? 1.0 : 0.0;
+        }
+    }
+};
+
+PatternPtr read(BlockReader&) { return std::make_shared<Checker>(); }
+
+constexpr std::array<Color, 2> default_list{Color{0, 0, 1, 0, 0}, Color{0, 1, 0, 0, 0}};
+
+}  // namespace
+
+namespace patterns {
+extern const PatternKind checker;
+const PatternKind checker{.keyword = "checker",
+                          .read = read,
+                          .list_size = 2,
+                          .default_list = default_list,
+                          .default_frequency = 0,
+                          .example = "checker"};
+}  // namespace patterns
+
+}  // namespace rb

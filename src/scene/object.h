@@ -1,0 +1,81 @@
+#pragma once
+#include "base/source.h"
+#include "scene/light.h"
+#include "scene/shape.h"
+#include "scene/texture.h"
+
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace rb {
+
+/// What fills a solid (manual 3.4.7). Which object it belongs to matters, so it is shared by pointer.
+struct Interior {
+    SourceRange where;
+    double ior = 0;  ///< 0: not given, the surrounding's
+    double dispersion = 1;
+    int dispersion_samples = 7;
+    double caustics = 0;
+    double fade_distance = 0;
+    double fade_power = 0;
+    Rgb fade_color{0.0f};
+    bool has_media = false;
+};
+using InteriorPtr = std::shared_ptr<const Interior>;
+
+struct Object;
+using ObjectPtr = std::shared_ptr<const Object>;
+
+enum class CsgKind { union_, merge, intersection, difference };
+
+/// A compound. In a difference the children from the second on are subtracted as they stand here (not
+/// inverted).
+struct Csg {
+    CsgKind kind = CsgKind::union_;
+    std::shared_ptr<const std::vector<ObjectPtr>> children;
+    bool split_union = true;
+    bool cutaway_textures = false;
+};
+
+/// A shape that the reader knows but the renderer does not draw yet; the compiler says so where it is used.
+struct UnsupportedShape {
+    std::string keyword;
+};
+
+/// A texture as an object wears it, with the transformations that followed it in the object.
+struct WornTexture {
+    TexturePtr layers;
+    Transform world_from_texture;
+};
+
+/// A thing in the scene. Copying is cheap: shapes, textures and children are shared. The transform applies to
+/// the geometry; what the object wears carries its own, since only later transformations move it.
+struct Object {
+    SourceRange where;
+    std::variant<ShapePtr, Csg, LightPtr, UnsupportedShape> geometry;
+    Transform world_from_object;
+
+    std::optional<WornTexture> texture;
+    std::optional<WornTexture> interior_texture;
+    InteriorPtr interior;
+    std::vector<ObjectPtr> bounded_by;
+    std::vector<ObjectPtr> clipped_by;
+
+    bool uv_mapping = false;
+    bool inverse = false;
+    bool no_shadow = false;
+    bool no_image = false;
+    bool no_reflection = false;
+    bool no_radiosity = false;
+    bool double_illuminate = false;
+    bool sturm = false;
+    std::optional<bool> hollow;
+};
+
+/// Applies a transformation statement to an object as the language does: geometry, bounds, clips, and what
+/// the object wears so far (not with uv_mapping). CSG children are reached through their parent's transform.
+void transform_object(Object& object, const Transform& map);
+
+}  // namespace rb

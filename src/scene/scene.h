@@ -1,0 +1,74 @@
+#pragma once
+#include "base/diagnostics.h"
+#include "scene/camera.h"
+#include "scene/object.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rb {
+
+/// assumed_gamma: absent, a power, or the sRGB curve (manual 3.4.1.2).
+struct SrgbCurve {
+    friend bool operator==(SrgbCurve, SrgbCurve) = default;
+};
+using GammaCurve = std::variant<SrgbCurve, double>;
+
+struct GlobalSettings {
+    float adc_bailout = 1.0f / 255.0f;
+    Rgb ambient_light{1.0f};
+    std::optional<GammaCurve> assumed_gamma;
+    Rgb irid_wavelength{0.70f, 0.52f, 0.48f};
+    int max_trace_level = 5;
+    int noise_generator = 2;
+    int number_of_waves = 10;
+    double mm_per_unit = 10;
+    bool wants_radiosity = false;
+    bool wants_photons = false;
+    bool wants_subsurface = false;
+};
+
+struct SkySphere {
+    SourceRange where;
+    std::vector<PigmentPtr> pigments;  ///< bottom first
+    Rgb emission{1.0f};
+    Transform world_from_sky;
+};
+
+struct Fog {
+    SourceRange where;
+    Color color;
+    double distance = 0;
+    int type = 1;
+    double offset = 0;
+    double alt = 0;
+    Vec3 up{0.0, 1.0, 0.0};
+    std::optional<TurbulenceWarp> turbulence;
+    double turb_depth = 0.5;
+};
+
+/// Everything a scene file says, evaluated: the contract between the front end and the renderer.
+struct Scene {
+    GlobalSettings settings;
+    /// Hundredths, as #version sets it (370 = 3.7); what decides in scenes without #version is
+    /// `effective_version`.
+    int language_version = 370;
+    /// language_version if a #version was executed anywhere (or given on the command line), else 362.
+    int effective_version = 362;
+    Camera camera;
+    std::optional<Color> background;
+    std::optional<SkySphere> sky_sphere;
+    std::vector<Fog> fogs;
+    std::vector<ObjectPtr> objects;  ///< top-level statements in order; lights among them
+    TexturePtr default_texture;      ///< in force at the end
+
+    /// Scenes below 3.7 without assumed_gamma write their numbers unchanged (spec: language 6).
+    bool has_gamma_handling() const { return settings.assumed_gamma.has_value() || effective_version >= 370; }
+};
+
+/// Readable, stable text of the whole scene for `--dump scene`.
+std::string dump(const Scene& scene);
+
+}  // namespace rb

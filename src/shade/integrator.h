@@ -1,0 +1,51 @@
+#pragma once
+#include "compile/geometry.h"
+
+#include <memory>
+#include <span>
+
+namespace rb {
+
+/// What a camera ray brings back: light, and how much of the background shows through (1 = all), both in the
+/// scene's working space, unclamped.
+struct Radiance {
+    Rgb rgb{0.0f};
+    float transmit = 0;
+};
+
+struct CameraRay {
+    Ray ray;
+    bool exists =
+        true;  ///< false where the camera makes no ray (outside a fisheye's circle): black, transmit 1
+    uint64_t seed =
+        0;  ///< decides every random draw along this ray's path; a function of pixel and sample only
+};
+
+struct ShadingOptions {
+    int quality = 9;            ///< +Q, 0..9
+    bool alpha_output = false;  ///< +UA
+};
+
+struct RayCounters {
+    uint64_t camera = 0;
+    uint64_t reflected = 0;
+    uint64_t refracted = 0;
+    uint64_t shadow = 0;
+};
+
+/// Follows batches of camera rays through a world: Whitted-style, without recursion. The result for one ray
+/// does not depend on the batch it came in, nor on the thread.
+class Integrator {
+public:
+    Integrator(const World& world, const ShadingOptions& options);
+    ~Integrator();
+
+    /// `out[i]` becomes what `rays[i]` sees. Safe to call from many threads at once.
+    void trace(std::span<const CameraRay> rays, std::span<Radiance> out, RayCounters& counters) const;
+
+private:
+    struct Program;
+    std::unique_ptr<const Program> program_;
+};
+
+}  // namespace rb
