@@ -1,5 +1,5 @@
-// Every scene of scenes/ against the picture that POV-Ray made of it (reference_images/, scripts/remake_references.sh).
-// On failure got, want and the difference lie in <build>/image_failures.
+// Every scene of scenes/ against the picture that POV-Ray made of it (reference_images/,
+// scripts/remake_references.sh). On failure got, want and the difference lie in <build>/image_failures.
 #include "app/commands.h"
 #include "image/compare.h"
 #include "image/file.h"
@@ -51,8 +51,14 @@ std::vector<ImageCase> all_cases() {
 }
 
 std::vector<std::string> arguments(const ImageCase& c, const fs::path& out) {
-    std::vector<std::string> words{"+I" + (source_dir / "scenes" / (c.name + ".pov")).string(), "+O" + out.string(),
-                                   "+W160", "+H120", "-A", "-D", "-V", "+FN8"};
+    std::vector<std::string> words{"+I" + (source_dir / "scenes" / (c.name + ".pov")).string(),
+                                   "+O" + out.string(),
+                                   "+W160",
+                                   "+H120",
+                                   "-A",
+                                   "-D",
+                                   "-V",
+                                   "+FN8"};
     words.insert(words.end(), c.options.begin(), c.options.end());
     return words;
 }
