@@ -60,8 +60,8 @@ struct Settings {
     bool clock_given = false;
     double initial_clock = 0;
     double final_clock = 1;
-    int initial_frame = 0;
-    int final_frame = 0;
+    int initial_frame = 1;
+    int final_frame = 1;
     double subset_start_frame = 0;
     double subset_end_frame = 0;
     int frame_step = 1;
