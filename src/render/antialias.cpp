@@ -2,6 +2,7 @@
 
 #include "math/jitter.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <unordered_map>
@@ -320,9 +321,10 @@ private:
         std::ranges::sort(wanted_, [](const Wanted& a, const Wanted& b) {
             return std::pair{a.pixel, a.key} < std::pair{b.pixel, b.key};
         });
-        const auto repeated = std::ranges::unique(
-            wanted_, [](const Wanted& a, const Wanted& b) { return a.pixel == b.pixel && a.key == b.key; });
-        wanted_.erase(repeated.begin(), repeated.end());
+        const auto same = [](const Wanted& a, const Wanted& b) {
+            return a.pixel == b.pixel && a.key == b.key;
+        };
+        wanted_.erase(std::unique(wanted_.begin(), wanted_.end(), same), wanted_.end());
         std::vector<Vec2> positions;
         positions.reserve(wanted_.size());
         const double amount = options_.jitter / ((1 << options_.depth) + 1);
