@@ -257,8 +257,9 @@ private:
 
     Vec2 center_of(size_t pixel) const {
         const auto width = static_cast<size_t>(block_.width());
-        return {block_.x0 + static_cast<double>(pixel % width),
-                block_.y0 + static_cast<double>(pixel / width)};
+        const size_t column = pixel % width;
+        const size_t row = pixel / width;
+        return {block_.x0 + static_cast<double>(column), block_.y0 + static_cast<double>(row)};
     }
 
     /// The sample at lattice point (i, j) of a pixel, both 0..cells_; null and remembered as wanted if not
