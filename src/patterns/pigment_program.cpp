@@ -85,6 +85,14 @@ void PigmentProgram::set_colors(const ColorMap& map) {
     }
 }
 
+bool PigmentProgram::passes_light() const {
+    const auto passes = [](const Color& c) { return c.filter != 0.0f || c.transmit != 0.0f; };
+    return (kind_ == Kind::constant && passes(color_)) ||
+           std::any_of(colors_.begin(), colors_.end(), passes) ||
+           std::any_of(children_.begin(), children_.end(),
+                       [](const PigmentProgram& child) { return child.passes_light(); });
+}
+
 bool PigmentProgram::needs_surface() const {
     return uv_mapping_ || field_.needs_surface() ||
            std::any_of(children_.begin(), children_.end(),

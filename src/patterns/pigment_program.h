@@ -16,6 +16,8 @@ public:
 
     bool is_constant() const { return kind_ == Kind::constant; }
     const Color& constant() const { return color_; }
+    /// True if some colour of it has filter or transmit.
+    bool passes_light() const;
     /// True if evaluate() needs PatternSamples::surface.
     bool needs_surface() const;
 
