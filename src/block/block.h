@@ -87,6 +87,8 @@ struct ReadContext {
     const GlobalSettings* settings = nullptr;
     int language_version = 370;
     int effective_version = 362;
+    /// Reads `texture { ... }` where a shape carries textures of its own (mesh2); set by the language.
+    TexturePtr (*read_texture)(const Block& block, const ReadContext& context) = nullptr;
 };
 
 }  // namespace rb

@@ -30,7 +30,9 @@ public:
     /// Surface coordinates for uv_mapping at a hit.
     Vec2 uv(const Hit& hit) const;
 
-    /// Weights of a surface that wears several textures at once (a mesh with per-face textures) come later.
+    /// The surfaces that a hit wears: one, or up to three on a mesh with textures of its own. Returns the
+    /// count.
+    int surfaces_at(const Hit& hit, std::array<SurfaceWeight, 3>& out) const;
 
     struct Parts;
     std::unique_ptr<Parts> parts;

@@ -16,6 +16,7 @@ enum SurfaceMask : uint8_t {
     blocks_light = 4,        ///< opaque for shadow rays (not no_shadow)
     filters_light = 8,       ///< lets some light through: shadow rays need its texture
     seen_by_gather = 16,     ///< radiosity rays (not no_radiosity)
+    seen_by_trace = 32,      ///< the language's trace(): every surface
 };
 
 /// What a surface wears, resolved after CSG inheritance; shared by all leaves that look alike.
@@ -28,6 +29,8 @@ struct Surface {
     SourceRange where;
 };
 
+constexpr uint32_t no_surface = std::numeric_limits<uint32_t>::max();
+
 /// One closed or open surface in the world: a shape, where it stands, and what it wears.
 struct Leaf {
     ShapePtr shape;
@@ -37,6 +40,9 @@ struct Leaf {
     uint8_t mask = 0;             ///< SurfaceMask bits
     uint32_t surface = 0;         ///< index into World::surfaces
     uint32_t solid = 0;           ///< node of the solid tree that decides which crossings count
+    /// First of the surfaces of the shape's own textures in World::surfaces (in the order of
+    /// Shape::textures()), or no_surface. See Geometry::surfaces_at().
+    uint32_t first_texture_surface = no_surface;
 };
 
 /// An interior together with its identity; `hollow` belongs to the object that carries it.
@@ -52,8 +58,16 @@ struct RayQuery {
     Ray ray;
     double t_max = std::numeric_limits<double>::infinity();
     uint8_t mask = seen_by_image;
-    uint32_t origin_leaf = no_leaf;  ///< the leaf on whose surface the ray starts
-    double origin_error = 0;         ///< bound on the distance of the origin to the true surface
+    uint32_t origin_leaf = no_leaf;   ///< the leaf on whose surface the ray starts
+    double origin_error = 0;          ///< bound on the distance of the origin to the true surface
+    uint32_t origin_part = any_part;  ///< Crossing::part of the hit it starts from; optional, sharpens meshes
+    double t_min = 0;                 ///< nothing at or before it counts (the language's trace(): 1e-4)
+};
+
+/// One of the surfaces that a hit wears, with its share.
+struct SurfaceWeight {
+    uint32_t surface = 0;
+    float weight = 1;
 };
 
 struct Hit {

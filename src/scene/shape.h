@@ -2,20 +2,49 @@
 #include "base/source.h"
 #include "math/bounds.h"
 #include "math/ray.h"
+#include "scene/texture.h"
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace rb {
+
+constexpr uint32_t any_part = std::numeric_limits<uint32_t>::max();
 
 /// One crossing of a ray with a shape's surface, in the shape's own terms.
 struct Crossing {
     double t = 0;       ///< ray parameter
     uint32_t part = 0;  ///< face, side or segment: what the shape needs to find normal and uv again
     Vec2 at{0.0};       ///< parameters on that part (barycentric for triangles); meaning belongs to the shape
+};
+
+/// A ray's question to one shape, in the shape's space: which crossings have t_min < t <= t_max? `t_min` is
+/// never negative. Where a ray starts on a surface, its own crossing there is no answer, whatever its
+/// computed t: a shape leaves out a crossing at the origin if the origin is within `origin_error` of that
+/// part of its surface, and with `starts_on_surface` the one at the part nearest to the origin in any case.
+struct ShapeRay {
+    Ray ray;
+    double t_min = 0;
+    double t_max = std::numeric_limits<double>::infinity();
+    double origin_error = 0;          ///< shape units; 0 for rays that start in free space
+    bool starts_on_surface = false;   ///< the origin lies on this very shape
+    uint32_t origin_part = any_part;  ///< the part it lies on, where known
+};
+
+/// Decides whether a crossing counts (CSG, clips); asked only for crossings that would be taken otherwise.
+class CrossingFilter {
+public:
+    virtual bool counts(const Crossing& crossing) const = 0;
+
+protected:
+    ~CrossingFilter() = default;
 };
 
 /// The crossings that one call of Shape::crossings found, in any order. Holds the usual few without the heap.
@@ -54,6 +83,12 @@ struct TriangleMesh {
     double error = 0;  ///< proven bound on the distance of any mesh point to the true surface
 };
 
+/// One of several textures that a point wears at once.
+struct TextureWeight {
+    uint32_t texture = 0;
+    float weight = 1;
+};
+
 /// Geometry in its own space, immutable and shared by all its copies. See docs/architecture.md, "Shapes".
 class Shape {
 public:
@@ -69,11 +104,26 @@ public:
     virtual bool inside(const Vec3& p) const = 0;
     virtual bool is_patch() const { return false; }
 
-    /// Adds all crossings with t in [t_min, t_max]. With `starts_on_surface` the origin lies on this very
-    /// surface (up to rounding) and the crossing at the origin is left out by the shape, whatever its
-    /// computed t.
-    virtual void crossings(const Ray& ray, double t_min, double t_max, bool starts_on_surface,
-                           Crossings& out) const = 0;
+    /// What the language's min_extent() and max_extent() start from: looser than bounds() for some shapes.
+    virtual Bounds language_extent() const { return bounds(); }
+
+    /// A box around `inside`; everything() where the solid is larger than its surface (a disc's half-space).
+    virtual Bounds solid_bounds() const { return bounds(); }
+
+    /// Adds all crossings.
+    virtual void crossings(const ShapeRay& ray, Crossings& out) const = 0;
+
+    /// The nearest crossing that passes `filter` (may be null); of several at the same t the last one found.
+    virtual bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const;
+
+    /// True if there is a crossing that passes `filter`; `found` is then any one of them.
+    virtual bool any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const {
+        return closest(ray, filter, found);
+    }
+
+    /// Moves a computed point of the crossing exactly onto the surface where numbers allow (axis-parallel
+    /// faces), so that coincident faces of other solids see a point on their boundary.
+    virtual void snap(const Crossing&, Vec3&) const {}
 
     /// The outward normal at a crossing; not necessarily unit length.
     virtual Vec3 normal(const Vec3& p, const Crossing& at) const = 0;
@@ -84,6 +134,16 @@ public:
     /// The same shape moved, if the shape can take the map into its own numbers (a sphere under a uniform
     /// scale); otherwise null, and the caller keeps the transform beside the shape.
     virtual std::shared_ptr<const Shape> transformed(const Transform& map) const;
+
+    /// The complement, if the shape has one of its own kind (plane, quadric); otherwise null, and the caller
+    /// turns normals and inside.
+    virtual std::shared_ptr<const Shape> inverted() const { return nullptr; }
+
+    /// Textures that parts of the surface bring along (meshes); what textures_at() indexes.
+    virtual std::span<const TexturePtr> textures() const { return {}; }
+    /// Indices into textures() and weights (sum 1) at a crossing; 0 entries where the object's own texture
+    /// shows.
+    virtual int textures_at(const Crossing&, std::array<TextureWeight, 3>&) const { return 0; }
 
     /// A mesh within `tolerance` (object units) of the surface; empty for a shape that has no finite surface.
     virtual std::optional<TriangleMesh> tessellate(double tolerance) const = 0;

@@ -1,0 +1,444 @@
+#include "compile/flatten.h"
+
+#include <algorithm>
+
+namespace rb {
+
+namespace {
+
+/// An interior on its way into the world: made only when a surface needs an identity of its own.
+struct InteriorSlot {
+    InteriorPtr interior;
+    bool hollow = false;
+    uint32_t index = no_surface;
+};
+
+template <class T>
+const T* as(const Object& object) {
+    return std::get_if<T>(&object.geometry);
+}
+
+bool splits(const Object& object) {
+    const auto* csg = as<Csg>(object);
+    return csg && csg->kind == CsgKind::union_ && csg->split_union && !object.inverse &&
+           object.clipped_by.empty() && object.bounded_by.empty();
+}
+
+SolidNode::Kind node_kind(CsgKind kind, bool invert) {
+    switch (kind) {
+        case CsgKind::union_:
+            return invert ? SolidNode::Kind::intersection : SolidNode::Kind::union_;
+        case CsgKind::merge:
+            return invert ? SolidNode::Kind::intersection : SolidNode::Kind::merge;
+        case CsgKind::intersection:
+        case CsgKind::difference:
+            break;
+    }
+    return invert ? SolidNode::Kind::merge : SolidNode::Kind::intersection;
+}
+
+/// With Remove_Bounds, the default, only these keep a bound at top level (spec: geometry 6).
+bool keeps_bounds(const Object& object) {
+    if (as<Csg>(object)) return true;
+    const auto* shape = as<ShapePtr>(object);
+    if (!shape) return false;
+    const std::string_view keyword = (*shape)->keyword();
+    return keyword == "quadric" || keyword == "cubic" || keyword == "quartic" || keyword == "poly" ||
+           keyword == "polynomial" || keyword == "text";
+}
+
+/// The texture that cutaway_textures shows on a cut: the first one found among the looked-at children.
+std::optional<WornTexture> cutaway_texture(const Object& object, const Transform& world_from_object) {
+    if (object.texture) {
+        WornTexture worn = *object.texture;
+        if (!object.uv_mapping) worn.world_from_texture = then(worn.world_from_texture, world_from_object);
+        return worn;
+    }
+    const auto* csg = as<Csg>(object);
+    if (!csg) return std::nullopt;
+    const Transform inner = then(object.world_from_object, world_from_object);
+    for (const ObjectPtr& child : *csg->children) {
+        if (auto found = cutaway_texture(*child, inner)) return found;
+        if (csg->kind == CsgKind::difference) break;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+/// What a child receives from above (spec: geometry 3.3); everything is in world space.
+struct Flattener::Inherited {
+    Transform world_from_parent;
+    std::optional<WornTexture> texture;
+    bool uv_mapping = false;
+    std::optional<WornTexture> interior_texture;
+    std::optional<WornTexture> cutaway;
+    TexturePtr fallback_texture;
+    uint32_t slot = no_surface;
+    bool hollow = false;
+    bool no_shadow = false;
+    bool no_image = false;
+    bool no_reflection = false;
+    bool no_radiosity = false;
+    bool double_illuminate = false;
+    bool top = true;           ///< not inside a compound that stays whole
+    bool flags_fixed = false;  ///< inside an intersection: children's own visibility flags do nothing
+    bool image_fixed = false;  ///< inside a union that stays whole: children's no_image does nothing
+    bool surfaces = true;      ///< false for clips and bounds: they only answer inside tests
+};
+
+struct Flattener::Draft {
+    std::vector<InteriorSlot> slots;
+    uint32_t shared_interior[2] = {no_surface, no_surface};  ///< of opaque things without interior; by hollow
+    std::vector<Leaf> leaves;                                ///< of the present top object, in child order
+    std::vector<std::vector<Leaf>> tops;
+    size_t top_objects = 0;
+};
+
+Flattener::Flattener(World& world, TexturePtr default_texture, Diagnostics& diagnostics)
+    : world_(world),
+      default_texture_(std::move(default_texture)),
+      diagnostics_(diagnostics),
+      surface_table_(world.surfaces),
+      draft_(std::make_unique<Draft>()) {}
+
+Flattener::~Flattener() = default;
+
+void Flattener::add(const ObjectPtr& object) {
+    Inherited from;
+    from.fallback_texture = object->fallback_texture ? object->fallback_texture : default_texture_;
+    add_top(*object, from);
+}
+
+void Flattener::add_whole(const ObjectPtr& object) {
+    Inherited from;
+    from.fallback_texture = default_texture_;
+    add_solid(*object, from);
+}
+
+void Flattener::add_light(const Light& light, const Inherited& from) {
+    const Light placed =
+        from.world_from_parent.is_identity() ? light : transformed(light, from.world_from_parent);
+    world_.lights.push_back(placed);
+    ++draft_->top_objects;
+    if (!placed.looks_like) return;
+    Inherited looks;
+    looks.fallback_texture = from.fallback_texture;
+    looks.no_shadow = true;
+    add_top(*placed.looks_like, looks);
+}
+
+void Flattener::add_top(const Object& object, const Inherited& from) {
+    if (const auto* light = as<LightPtr>(object)) return add_light(**light, from);
+    if (const auto* missing = as<UnsupportedShape>(object)) {
+        diagnostics_.unsupported(object.where, missing->keyword, "The object is left out.");
+        return;
+    }
+    if (splits(object)) {
+        const Inherited own = inherit(object, from);
+        for (const ObjectPtr& child : *as<Csg>(object)->children) add_top(*child, own);
+        return;
+    }
+    add_solid(object, from);
+}
+
+void Flattener::add_solid(const Object& object, const Inherited& from) {
+    ++draft_->top_objects;
+    const bool own_slot = object.interior || from.slot == no_surface;
+    const uint32_t slot = own_slot ? static_cast<uint32_t>(draft_->slots.size()) : from.slot;
+    const uint32_t node = build(object, from, false, no_node);
+    if (node == no_node) return;
+    set_regions(node);
+    flat_.tops.push_back({node, slot});
+    draft_->tops.push_back(std::move(draft_->leaves));
+    draft_->leaves.clear();
+}
+
+Flattener::Inherited Flattener::inherit(const Object& object, const Inherited& from) {
+    Inherited own = from;
+    const auto placed = [&](WornTexture worn) {
+        if (!object.uv_mapping)
+            worn.world_from_texture = then(worn.world_from_texture, from.world_from_parent);
+        return worn;
+    };
+    own.world_from_parent = then(object.world_from_object, from.world_from_parent);
+    if (object.texture) {
+        own.texture = placed(*object.texture);
+        own.uv_mapping = object.uv_mapping;
+    } else {
+        own.uv_mapping = from.uv_mapping || object.uv_mapping;
+    }
+    if (object.interior_texture) {
+        own.interior_texture = placed(*object.interior_texture);
+    } else {
+        // Measured: without an interior_texture of its own a child takes the parent's uv flag in any case.
+        own.uv_mapping = own.uv_mapping || from.uv_mapping;
+    }
+    if (object.interior || from.slot == no_surface) {
+        own.slot = static_cast<uint32_t>(draft_->slots.size());
+        draft_->slots.push_back({object.interior, false, no_surface});
+    }
+    own.hollow = object.hollow.value_or(from.hollow);
+    own.no_shadow = from.no_shadow || (from.top && object.no_shadow);
+    if (!from.flags_fixed) {
+        own.no_image = from.no_image || (object.no_image && !from.image_fixed);
+        own.no_reflection = from.no_reflection || object.no_reflection;
+        own.no_radiosity = from.no_radiosity || object.no_radiosity;
+    }
+    own.double_illuminate = from.double_illuminate || object.double_illuminate;
+    if (const auto* csg = as<Csg>(object); csg && csg->cutaway_textures) {
+        for (const ObjectPtr& child : *csg->children) {
+            if (!own.cutaway) own.cutaway = cutaway_texture(*child, own.world_from_parent);
+            if (csg->kind == CsgKind::difference) break;
+        }
+    }
+    return own;
+}
+
+uint32_t Flattener::build(const Object& object, const Inherited& from, bool invert, uint32_t parent) {
+    if (as<LightPtr>(object)) {
+        if (from.surfaces) add_light(**as<LightPtr>(object), from);
+        return no_node;
+    }
+    if (const auto* missing = as<UnsupportedShape>(object)) {
+        diagnostics_.unsupported(object.where, missing->keyword, "The object is left out.");
+        return no_node;
+    }
+    Inherited own = inherit(object, from);
+    invert = invert != object.inverse;
+    if (const auto* shape = as<ShapePtr>(object)) {
+        const uint32_t node = build_shape(object, *shape, own, invert, parent);
+        add_lists(object, from, node);
+        if (own.surfaces) add_leaf(object, own, node);
+        return node;
+    }
+    const Csg& csg = *as<Csg>(object);
+    const auto index = static_cast<uint32_t>(flat_.solids.nodes.size());
+    SolidNode fresh;
+    fresh.kind = node_kind(csg.kind, invert);
+    fresh.parent = parent;
+    fresh.tests_hits =
+        fresh.kind != SolidNode::Kind::union_ || (parent != no_node && flat_.solids.nodes[parent].tests_hits);
+    flat_.solids.nodes.push_back(std::move(fresh));
+    add_lists(object, from, index);
+    own.top = false;
+    own.image_fixed = own.image_fixed || flat_.solids.nodes[index].kind == SolidNode::Kind::union_;
+    own.flags_fixed = own.flags_fixed || flat_.solids.nodes[index].kind == SolidNode::Kind::intersection;
+    std::vector<uint32_t> children;
+    for (size_t i = 0; i < csg.children->size(); ++i) {
+        const bool subtracted = csg.kind == CsgKind::difference && i > 0;
+        const uint32_t child = build(*(*csg.children)[i], own, invert != subtracted, index);
+        if (child != no_node) children.push_back(child);
+    }
+    flat_.solids.nodes[index].children = std::move(children);
+    return index;
+}
+
+void Flattener::add_lists(const Object& object, const Inherited& from, uint32_t node) {
+    Inherited silent;
+    silent.world_from_parent = from.world_from_parent;
+    silent.surfaces = false;
+    std::vector<uint32_t> clips;
+    for (const ObjectPtr& clip : object.clipped_by) {
+        const uint32_t built = build(*clip, silent, false, no_node);
+        if (built != no_node) clips.push_back(built);
+    }
+    std::vector<uint32_t> bounds;
+    if (keep_all_bounds_ || !from.top || keeps_bounds(object)) {
+        for (const ObjectPtr& bound : object.bounded_by) {
+            const uint32_t built = build(*bound, silent, false, no_node);
+            if (built != no_node) bounds.push_back(built);
+        }
+    }
+    SolidNode& target = flat_.solids.nodes[node];
+    if (!clips.empty() || !bounds.empty()) target.tests_hits = true;
+    target.clips = std::move(clips);
+    target.bounds = std::move(bounds);
+}
+
+uint32_t Flattener::build_shape(const Object&, const ShapePtr& shape, const Inherited& own, bool invert,
+                                uint32_t parent) {
+    PlacedShape placed{shape, own.world_from_parent.backward, own.world_from_parent.is_identity()};
+    if (!placed.in_world_space) {
+        if (auto moved = shape->transformed(own.world_from_parent)) {
+            placed = {std::move(moved), Affine{}, true};
+        }
+    }
+    SolidNode node;
+    node.parent = parent;
+    node.inverted = invert && !shape->is_patch();
+    if (node.inverted) {
+        if (auto complement = placed.shape->inverted()) {
+            placed.shape = std::move(complement);
+            node.inverted = false;
+        }
+    }
+    node.tests_hits = parent != no_node && flat_.solids.nodes[parent].tests_hits;
+    node.placed = static_cast<uint32_t>(flat_.solids.shapes.size());
+    flat_.solids.shapes.push_back(std::move(placed));
+    flat_.solids.nodes.push_back(std::move(node));
+    return static_cast<uint32_t>(flat_.solids.nodes.size() - 1);
+}
+
+void Flattener::add_leaf(const Object& object, const Inherited& own, uint32_t node) {
+    const SolidNode& solid = flat_.solids.nodes[node];
+    const PlacedShape& placed = flat_.solids.shapes[solid.placed];
+    Leaf leaf;
+    leaf.shape = placed.shape;
+    leaf.object_from_world = placed.object_from_world;
+    leaf.in_world_space = placed.in_world_space;
+    leaf.inverted = solid.inverted;
+    leaf.solid = node;
+
+    Surface surface = surface_of(object, own);
+    bool opaque = surface_table_.opaque(surface);
+    const auto textures = leaf.shape->textures();
+    for (const TexturePtr& texture : textures) opaque = opaque && surface_table_.opaque(texture);
+    if (own.hollow) draft_->slots[own.slot].hollow = true;
+    surface.interior = interior_index(own, opaque);
+    if (!textures.empty()) {
+        // The run of surfaces must be contiguous, so these are not shared with others.
+        leaf.first_texture_surface = static_cast<uint32_t>(world_.surfaces.size());
+        for (const TexturePtr& texture : textures) {
+            Surface part = surface;
+            part.texture.layers = texture;
+            part.texture.world_from_texture = surface.uv_mapping ? Transform{} : own.world_from_parent;
+            world_.surfaces.push_back(std::move(part));
+        }
+    }
+    leaf.surface = surface_table_.add(std::move(surface));
+
+    leaf.mask = seen_by_trace;
+    if (!own.no_image) leaf.mask |= seen_by_image;
+    if (!own.no_reflection) leaf.mask |= seen_by_reflection;
+    if (!own.no_radiosity) leaf.mask |= seen_by_gather;
+    if (!own.no_shadow) leaf.mask |= opaque ? blocks_light : filters_light;
+    draft_->leaves.push_back(std::move(leaf));
+}
+
+Surface Flattener::surface_of(const Object& object, const Inherited& own) {
+    Surface surface;
+    if (own.texture) {
+        surface.texture = *own.texture;
+    } else if (own.cutaway) {
+        surface.texture = *own.cutaway;
+    } else {
+        surface.texture.layers = own.fallback_texture;
+    }
+    surface.interior_texture = own.interior_texture;
+    surface.uv_mapping = own.uv_mapping;
+    surface.double_illuminate = own.double_illuminate;
+    surface.where = object.where;
+    return surface;
+}
+
+uint32_t Flattener::interior_index(const Inherited& own, bool opaque) {
+    InteriorSlot& slot = draft_->slots[own.slot];
+    const auto make = [&](const InteriorPtr& interior, bool hollow) {
+        world_.interiors.push_back({interior ? *interior : Interior{}, hollow});
+        return static_cast<uint32_t>(world_.interiors.size() - 1);
+    };
+    if (!slot.interior && opaque) {
+        // No ray enters through an opaque surface, so identity does not matter and looks can be shared.
+        uint32_t& shared = draft_->shared_interior[own.hollow ? 1 : 0];
+        if (shared == no_surface) shared = make(nullptr, own.hollow);
+        if (slot.index == no_surface) slot.index = shared;
+        return shared;
+    }
+    const bool is_shared = slot.index != no_surface && (slot.index == draft_->shared_interior[0] ||
+                                                        slot.index == draft_->shared_interior[1]);
+    if (slot.index == no_surface || is_shared) slot.index = make(slot.interior, slot.hollow);
+    if (own.hollow) world_.interiors[slot.index].hollow = true;
+    return slot.index;
+}
+
+void Flattener::set_regions(uint32_t index) {
+    auto& nodes = flat_.solids.nodes;
+    SolidNode& node = nodes[index];
+    Bounds region;
+    if (node.kind == SolidNode::Kind::shape) {
+        const PlacedShape& placed = flat_.solids.shapes[node.placed];
+        if (placed.shape->is_patch()) {
+            // stays empty
+        } else if (node.inverted) {
+            region = Bounds::everything();
+        } else {
+            region = placed.shape->solid_bounds();
+            if (!placed.in_world_space) {
+                const auto forward = inverse_of(placed.object_from_world);
+                region = forward ? transformed(region, *forward) : Bounds::everything();
+            }
+        }
+    } else {
+        if (node.kind == SolidNode::Kind::intersection) region = Bounds::everything();
+        for (const uint32_t child : node.children) {
+            set_regions(child);
+            if (node.kind == SolidNode::Kind::intersection) {
+                region = intersection(region, nodes[child].region);
+            } else if (!nodes[child].region.is_empty()) {
+                region.include(nodes[child].region);
+            }
+        }
+    }
+    for (const uint32_t clip : node.clips) {
+        set_regions(clip);
+        region = intersection(region, nodes[clip].region);
+    }
+    for (const uint32_t bound : node.bounds) set_regions(bound);
+    node.region = region;
+}
+
+Bounds Flattener::cut_box(const Leaf& leaf) const {
+    const auto& nodes = flat_.solids.nodes;
+    Bounds box = leaf.shape->bounds();
+    if (!leaf.in_world_space) {
+        const auto forward = inverse_of(leaf.object_from_world);
+        box = forward ? transformed(box, *forward) : Bounds::everything();
+    }
+    for (uint32_t from = no_node, at = leaf.solid; at != no_node; from = at, at = nodes[at].parent) {
+        const SolidNode& node = nodes[at];
+        if (!node.tests_hits) break;
+        if (node.kind == SolidNode::Kind::intersection) {
+            for (const uint32_t child : node.children) {
+                if (child != from) box = intersection(box, nodes[child].region);
+            }
+        }
+        for (const uint32_t clip : node.clips) box = intersection(box, nodes[clip].region);
+    }
+    return box;
+}
+
+FlatGeometry Flattener::finish() {
+    // A plane wins against a coincident finite object once there are at least three objects.
+    std::vector<size_t> order;
+    std::vector<std::vector<Bounds>> boxes(draft_->tops.size());
+    std::vector<bool> infinite(draft_->tops.size());
+    for (size_t i = 0; i < draft_->tops.size(); ++i) {
+        for (const Leaf& leaf : draft_->tops[i]) {
+            boxes[i].push_back(cut_box(leaf));
+            if (!boxes[i].back().is_empty() && !boxes[i].back().is_finite()) infinite[i] = true;
+        }
+        order.push_back(i);
+    }
+    if (draft_->top_objects >= 3) {
+        std::stable_partition(order.begin(), order.end(), [&](size_t i) { return infinite[i]; });
+    }
+    for (const size_t i : order) {
+        for (size_t k = draft_->tops[i].size(); k-- > 0;) {
+            flat_.leaves.push_back(std::move(draft_->tops[i][k]));
+            flat_.boxes.push_back(boxes[i][k]);
+        }
+    }
+    for (TopSolid& top : flat_.tops) {
+        const InteriorSlot& slot = draft_->slots[top.interior];
+        if (slot.index != no_surface) {
+            top.interior = slot.index;
+        } else {
+            world_.interiors.push_back({slot.interior ? *slot.interior : Interior{}, slot.hollow});
+            top.interior = static_cast<uint32_t>(world_.interiors.size() - 1);
+        }
+    }
+    return std::move(flat_);
+}
+
+}  // namespace rb

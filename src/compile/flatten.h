@@ -1,0 +1,63 @@
+#pragma once
+#include "compile/solids.h"
+#include "compile/surfaces.h"
+
+namespace rb {
+
+/// A top-level object after the splitting of unions (spec: geometry 5.5).
+struct TopSolid {
+    uint32_t node = 0;
+    uint32_t interior = 0;  ///< index into World::interiors
+};
+
+/// What flattening makes: leaves with their boxes, and the solids that decide which of their crossings count.
+struct FlatGeometry {
+    std::vector<Leaf> leaves;
+    std::vector<Bounds> boxes;  ///< parallel to `leaves`: surfaces cut down to where hits can count
+    SolidForest solids;
+    std::vector<TopSolid> tops;
+};
+
+/// Flattens objects into `world` (surfaces, interiors, lights) and the result. Leaves are ordered so that of
+/// coincident surfaces the one with the lower index is seen (spec: geometry 4.1): infinite objects first,
+/// then in declaration order; within one object the later child first.
+class Flattener {
+public:
+    Flattener(World& world, TexturePtr default_texture, Diagnostics& diagnostics);
+    ~Flattener();
+
+    /// Declared objects asked by trace() keep their `bounded_by` (spec: geometry 6).
+    void keep_all_bounds() { keep_all_bounds_ = true; }
+    void add(const ObjectPtr& object);
+    /// The same without splitting a union: one solid per object.
+    void add_whole(const ObjectPtr& object);
+    FlatGeometry finish();
+
+private:
+    struct Inherited;
+    struct Draft;
+
+    void add_top(const Object& object, const Inherited& from);
+    void add_solid(const Object& object, const Inherited& from);
+    void add_light(const Light& light, const Inherited& from);
+    uint32_t build(const Object& object, const Inherited& from, bool invert, uint32_t parent);
+    uint32_t build_shape(const Object& object, const ShapePtr& shape, const Inherited& own, bool invert,
+                         uint32_t parent);
+    void add_leaf(const Object& object, const Inherited& own, uint32_t node);
+    void add_lists(const Object& object, const Inherited& from, uint32_t node);
+    Inherited inherit(const Object& object, const Inherited& from);
+    Surface surface_of(const Object& object, const Inherited& own);
+    uint32_t interior_index(const Inherited& own, bool opaque);
+    void set_regions(uint32_t node);
+    Bounds cut_box(const Leaf& leaf) const;
+
+    World& world_;
+    TexturePtr default_texture_;
+    Diagnostics& diagnostics_;
+    SurfaceTable surface_table_;
+    FlatGeometry flat_;
+    std::unique_ptr<Draft> draft_;
+    bool keep_all_bounds_ = false;
+};
+
+}  // namespace rb

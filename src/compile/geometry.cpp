@@ -1,0 +1,173 @@
+#include "compile/geometry.h"
+
+#include "compile/geometry_parts.h"
+
+namespace rb {
+
+Geometry::Geometry() : parts(std::make_unique<Parts>()) {}
+Geometry::~Geometry() = default;
+
+const std::vector<Leaf>& Geometry::leaves() const { return parts->flat.leaves; }
+bool Geometry::has(uint8_t mask) const { return (parts->all_masks & mask) != 0; }
+
+namespace {
+
+double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// Bound on rounding per unit of coordinate, with room for a shape's own frame and solver.
+constexpr double coordinate_error = 1e-14;
+
+/// CSG and clips at a candidate crossing.
+class SolidFilter final : public CrossingFilter {
+public:
+    SolidFilter(const SolidForest& solids, const Leaf& leaf, const Ray& ray)
+        : solids_(solids), leaf_(leaf), ray_(ray) {}
+    bool counts(const Crossing& crossing) const override {
+        Vec3 p = ray_.at(crossing.t);
+        if (leaf_.in_world_space) leaf_.shape->snap(crossing, p);
+        return solids_.counts(leaf_.solid, p, ray_);
+    }
+
+private:
+    const SolidForest& solids_;
+    const Leaf& leaf_;
+    const Ray& ray_;
+};
+
+/// One query on its way through the elements.
+class Search {
+public:
+    Search(const Geometry::Parts& parts, const RayQuery& query) : parts_(parts), query_(query) {
+        t_min_ = query.t_min;
+        if (query.origin_leaf == no_leaf) return;
+        origin_error_ = std::max(query.origin_error, coordinate_error * largest(query.ray.origin));
+        t_min_ = std::max(
+            t_min_, 4.0 * origin_error_ / std::sqrt(glm::dot(query.ray.direction, query.ray.direction)));
+    }
+
+    double t_min() const { return t_min_; }
+
+    template <bool any>
+    bool test(const Element& e, double t_max, Crossing& found) const {
+        if ((e.mask & query_.mask) == 0) return false;
+        ShapeRay ray{query_.ray, t_min_, t_max, origin_error_ * e.object_stretch};
+        if (e.leaf == query_.origin_leaf) {
+            ray.starts_on_surface = true;
+            ray.origin_part = query_.origin_part;
+        }
+        const Leaf& leaf = parts_.flat.leaves[e.leaf];
+        if (!e.in_world_space) {
+            ray.ray = {leaf.object_from_world.point(query_.ray.origin),
+                       leaf.object_from_world.direction(query_.ray.direction)};
+        }
+        if (!e.tests_hits)
+            return any ? e.shape->any(ray, nullptr, found) : e.shape->closest(ray, nullptr, found);
+        const SolidFilter filter(parts_.flat.solids, leaf, query_.ray);
+        return any ? e.shape->any(ray, &filter, found) : e.shape->closest(ray, &filter, found);
+    }
+
+private:
+    const Geometry::Parts& parts_;
+    const RayQuery& query_;
+    double t_min_ = 0;
+    double origin_error_ = 0;
+};
+
+void fill_hit(const Geometry::Parts& parts, const RayQuery& query, Hit& hit) {
+    const Leaf& leaf = parts.flat.leaves[hit.leaf];
+    const Ray& ray = query.ray;
+    hit.t = hit.crossing.t;
+    hit.point = ray.at(hit.t);
+    if (leaf.in_world_space) {
+        hit.normal = leaf.shape->normal(hit.point, hit.crossing);
+    } else {
+        const Vec3 p = leaf.object_from_world.point(hit.point);
+        hit.normal = leaf.object_from_world.transposed_direction(leaf.shape->normal(p, hit.crossing));
+    }
+    const double length = glm::length(hit.normal);
+    if (length > 0.0) hit.normal /= leaf.inverted ? -length : length;
+    const double magnitude = largest(ray.origin) + hit.t * largest(ray.direction);
+    const ElementError& error = parts.errors[hit.leaf];
+    hit.error = coordinate_error * (error.scale * magnitude + error.offset);
+}
+
+}  // namespace
+
+bool Geometry::closest(const RayQuery& query, Hit& hit) const {
+    const Parts& p = *parts;
+    const Search search(p, query);
+    double t_best = query.t_max;
+    hit.leaf = no_leaf;
+    Crossing crossing;
+    const auto offer = [&](const Element& e) {
+        if (!search.test<false>(e, t_best, crossing)) return;
+        if (hit.leaf != no_leaf && crossing.t == t_best && e.leaf >= hit.leaf) return;
+        t_best = crossing.t;
+        hit.leaf = e.leaf;
+        hit.crossing = crossing;
+    };
+    for (const Element& e : p.listed) offer(e);
+    p.tree.walk(query.ray, search.t_min(), t_best, [&](const uint32_t* elements, uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i) offer(p.treed[elements[i]]);
+        return false;
+    });
+    if (hit.leaf == no_leaf) return false;
+    fill_hit(p, query, hit);
+    return true;
+}
+
+bool Geometry::occluded(const RayQuery& query, uint32_t& blocker) const {
+    const Parts& p = *parts;
+    const Search search(p, query);
+    Crossing crossing;
+    if (blocker < p.element_of_leaf.size()) {
+        const uint32_t at = p.element_of_leaf[blocker];
+        const Element& e = at < p.listed.size() ? p.listed[at] : p.treed[at - p.listed.size()];
+        if (search.test<true>(e, query.t_max, crossing)) return true;
+    }
+    for (const Element& e : p.listed) {
+        if (!search.test<true>(e, query.t_max, crossing)) continue;
+        blocker = e.leaf;
+        return true;
+    }
+    return p.tree.walk(query.ray, search.t_min(), query.t_max, [&](const uint32_t* elements, uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i) {
+            const Element& e = p.treed[elements[i]];
+            if (!search.test<true>(e, query.t_max, crossing)) continue;
+            blocker = e.leaf;
+            return true;
+        }
+        return false;
+    });
+}
+
+std::vector<uint32_t> Geometry::interiors_at(const Vec3& p) const {
+    std::vector<uint32_t> out;
+    const SolidForest& solids = parts->flat.solids;
+    for (const TopSolid& top : parts->flat.tops) {
+        if (solids.nodes[top.node].region.contains(p) && solids.inside_unclipped(top.node, p)) {
+            out.push_back(top.interior);
+        }
+    }
+    return out;
+}
+
+Vec2 Geometry::uv(const Hit& hit) const {
+    const Leaf& l = leaf(hit.leaf);
+    const Vec3 p = l.in_world_space ? hit.point : l.object_from_world.point(hit.point);
+    return l.shape->uv(p, hit.crossing).value_or(Vec2{hit.point.x, hit.point.y});
+}
+
+int Geometry::surfaces_at(const Hit& hit, std::array<SurfaceWeight, 3>& out) const {
+    const Leaf& l = leaf(hit.leaf);
+    out[0] = {l.surface, 1.0f};
+    if (l.first_texture_surface == no_surface) return 1;
+    std::array<TextureWeight, 3> textures;
+    const int n = l.shape->textures_at(hit.crossing, textures);
+    for (size_t i = 0; i < static_cast<size_t>(n); ++i) {
+        out[i] = {l.first_texture_surface + textures[i].texture, textures[i].weight};
+    }
+    return std::max(n, 1);
+}
+
+}  // namespace rb

@@ -1,0 +1,88 @@
+#include "compile/geometry_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rb {
+
+namespace {
+
+/// Up to here a tree costs more than it saves.
+constexpr size_t few_elements = 8;
+
+double stretch(const Affine& map) {
+    return std::sqrt(glm::dot(map.row[0], map.row[0]) + glm::dot(map.row[1], map.row[1]) +
+                     glm::dot(map.row[2], map.row[2]));
+}
+
+double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+ElementError error_of(const Leaf& leaf) {
+    const Bounds box = leaf.shape->bounds();
+    const double size = box.is_finite() && !box.is_empty() ? std::max(largest(box.lo), largest(box.hi)) : 0.0;
+    if (leaf.in_world_space) return {1.0, size};
+    const auto world_from_object = inverse_of(leaf.object_from_world);
+    if (!world_from_object) return {1.0, size};
+    const double out = stretch(*world_from_object);
+    return {1.0 + out * stretch(leaf.object_from_world),
+            out * (size + largest(leaf.object_from_world.row[3]))};
+}
+
+/// What fits the tree: finite, also in single precision.
+bool fits(const Bounds& box) {
+    constexpr double limit = 1e30;
+    return box.is_finite() && largest(box.lo) < limit && largest(box.hi) < limit;
+}
+
+Element element_of(const Leaf& leaf, uint32_t index, const SolidForest& solids) {
+    Element e;
+    e.shape = leaf.shape.get();
+    e.leaf = index;
+    e.mask = leaf.mask;
+    e.in_world_space = leaf.in_world_space;
+    e.tests_hits = solids.nodes[leaf.solid].tests_hits;
+    e.object_stretch = leaf.in_world_space
+                           ? 1.0f
+                           : std::nextafter(static_cast<float>(stretch(leaf.object_from_world)), 1e38f);
+    return e;
+}
+
+}  // namespace
+
+std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_force) {
+    auto geometry = std::make_shared<Geometry>();
+    Geometry::Parts& p = *geometry->parts;
+    p.flat = std::move(flat);
+    const auto& leaves = p.flat.leaves;
+    p.element_of_leaf.assign(leaves.size(), no_leaf);
+    size_t finite = 0;
+    for (const Bounds& box : p.flat.boxes) finite += fits(box) && !box.is_empty() ? 1 : 0;
+    const bool use_tree = !brute_force && finite > few_elements;
+
+    std::vector<BoxF> boxes;
+    for (uint32_t i = 0; i < leaves.size(); ++i) {
+        p.errors.push_back(error_of(leaves[i]));
+        p.all_masks |= leaves[i].mask;
+        const Bounds& box = p.flat.boxes[i];
+        if (box.is_empty() && !brute_force) continue;
+        const Element e = element_of(leaves[i], i, p.flat.solids);
+        if (use_tree && fits(box)) {
+            p.treed.push_back(e);
+            boxes.push_back(rounded_outward(box));
+        } else {
+            p.listed.push_back(e);
+        }
+    }
+    for (uint32_t i = 0; i < p.listed.size(); ++i) p.element_of_leaf[p.listed[i].leaf] = i;
+    const auto first = static_cast<uint32_t>(p.listed.size());
+    for (uint32_t i = 0; i < p.treed.size(); ++i) p.element_of_leaf[p.treed[i].leaf] = first + i;
+    if (use_tree) {
+        KdOptions options;
+        options.block = 1;
+        options.traversal_cost = 0.4;
+        p.tree = KdTree(boxes, options);
+    }
+    return geometry;
+}
+
+}  // namespace rb

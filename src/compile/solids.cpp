@@ -1,0 +1,84 @@
+#include "compile/solids.h"
+
+namespace rb {
+
+bool SolidForest::in_all(const std::vector<uint32_t>& list, const Vec3& p) const {
+    for (const uint32_t node : list) {
+        if (!inside(node, p)) return false;
+    }
+    return true;
+}
+
+bool SolidForest::inside(uint32_t index, const Vec3& p) const {
+    const SolidNode& node = nodes[index];
+    return node.region.contains(p) && inside_unclipped(index, p) && in_all(node.clips, p);
+}
+
+bool SolidForest::inside_unclipped(uint32_t index, const Vec3& p) const {
+    const SolidNode& node = nodes[index];
+    switch (node.kind) {
+        case SolidNode::Kind::shape: {
+            const PlacedShape& placed = shapes[node.placed];
+            // A surface without inside has no outside either.
+            if (placed.shape->is_patch()) return false;
+            const bool in =
+                placed.shape->inside(placed.in_world_space ? p : placed.object_from_world.point(p));
+            return in != node.inverted;
+        }
+        case SolidNode::Kind::union_:
+        case SolidNode::Kind::merge:
+            for (const uint32_t child : node.children) {
+                if (inside(child, p)) return true;
+            }
+            return false;
+        case SolidNode::Kind::intersection:
+            return in_all(node.children, p);
+    }
+    return false;
+}
+
+bool SolidForest::counts(uint32_t leaf, const Vec3& p, const Ray& ray) const {
+    for (uint32_t from = no_node, at = leaf; at != no_node; from = at, at = nodes[at].parent) {
+        const SolidNode& node = nodes[at];
+        if (!node.tests_hits) return true;
+        if (node.kind == SolidNode::Kind::merge || node.kind == SolidNode::Kind::intersection) {
+            const bool wanted = node.kind == SolidNode::Kind::intersection;
+            for (const uint32_t child : node.children) {
+                if (child != from && inside(child, p) != wanted) return false;
+            }
+        }
+        if (!in_all(node.clips, p)) return false;
+        for (const uint32_t bound : node.bounds) {
+            if (!met_by(bound, p, ray)) return false;
+        }
+    }
+    return true;
+}
+
+bool SolidForest::met_by(uint32_t node, const Vec3& p, const Ray& ray) const {
+    return inside(node, p) || inside(node, ray.origin) || crosses(node, ray);
+}
+
+bool SolidForest::crosses(uint32_t index, const Ray& ray) const {
+    const SolidNode& node = nodes[index];
+    if (node.kind != SolidNode::Kind::shape) {
+        for (const uint32_t child : node.children) {
+            if (crosses(child, ray)) return true;
+        }
+        return false;
+    }
+    const PlacedShape& placed = shapes[node.placed];
+    ShapeRay query{ray};
+    if (!placed.in_world_space) {
+        query.ray = {placed.object_from_world.point(ray.origin),
+                     placed.object_from_world.direction(ray.direction)};
+    }
+    Crossings all;
+    placed.shape->crossings(query, all);
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (counts(index, ray.at(all[i].t), ray)) return true;
+    }
+    return false;
+}
+
+}  // namespace rb

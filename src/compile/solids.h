@@ -1,0 +1,52 @@
+#pragma once
+#include "scene/object.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rb {
+
+constexpr uint32_t no_node = std::numeric_limits<uint32_t>::max();
+
+/// A node of the forest of solids: a shape, or a compound of nodes. Complements have been pushed down to the
+/// shapes (De Morgan), so a compound is "any of" (union, merge) or "all of" (intersection).
+struct SolidNode {
+    enum class Kind : uint8_t { shape, union_, merge, intersection };
+    Kind kind = Kind::shape;
+    bool inverted = false;    ///< shapes only
+    bool tests_hits = false;  ///< this node or one above it refuses some hits
+    uint32_t parent = no_node;
+    uint32_t placed = 0;  ///< shapes only: index into SolidForest::shapes
+    std::vector<uint32_t> children;
+    std::vector<uint32_t> clips;   ///< all must contain the point
+    std::vector<uint32_t> bounds;  ///< all must be met by the ray (kept `bounded_by` only)
+    Bounds region;                 ///< holds every point inside
+};
+
+/// A shape and where it stands.
+struct PlacedShape {
+    ShapePtr shape;
+    Affine object_from_world;
+    bool in_world_space = false;
+};
+
+/// All solids of a world; answers inside tests and decides which hits count (spec: geometry 5.2, 5.3, 6).
+class SolidForest {
+public:
+    std::vector<SolidNode> nodes;
+    std::vector<PlacedShape> shapes;
+
+    /// INSIDE* of the spec: inside the node's clips and its shape or compound.
+    bool inside(uint32_t node, const Vec3& p) const;
+    /// The same without the node's own clips.
+    bool inside_unclipped(uint32_t node, const Vec3& p) const;
+    /// Does a hit at `p` on the surface of shape node `leaf` count, seen along `ray`?
+    bool counts(uint32_t leaf, const Vec3& p, const Ray& ray) const;
+
+private:
+    bool in_all(const std::vector<uint32_t>& list, const Vec3& p) const;
+    bool met_by(uint32_t node, const Vec3& p, const Ray& ray) const;
+    bool crosses(uint32_t node, const Ray& ray) const;
+};
+
+}  // namespace rb

@@ -1,0 +1,34 @@
+// dents (manual 3.4.7.1.13): noise cubed.
+#include "patterns/formula.h"
+#include "patterns/noise.h"
+
+namespace rb {
+
+namespace {
+
+class Dents final : public Pattern {
+public:
+    std::string_view keyword() const override { return "dents"; }
+    void evaluate(const PatternContext& context, std::span<const Vec3> points,
+                  std::span<double> values) const override {
+        noise(points, context.noise_generator, values);
+        for (double& v : values) v = v * v * v;
+    }
+    bool perturb(const PatternContext& context, float amount, std::span<const Vec3> points,
+                 std::span<Vec3> normals) const override {
+        for (size_t i = 0; i < points.size(); ++i) {
+            const double n = noise(points[i], context.noise_generator);
+            normals[i] += static_cast<double>(amount) * (n * n * n) * vector_noise(points[i]);
+        }
+        return true;
+    }
+};
+
+}  // namespace
+
+namespace patterns {
+extern const PatternKind dents;
+const PatternKind dents{.keyword = "dents", .read = read_plain<Dents>, .example = "dents"};
+}  // namespace patterns
+
+}  // namespace rb

@@ -1,0 +1,189 @@
+#include "shade/ray_stream.h"
+
+#include "shade/surface_shader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rb {
+
+namespace {
+
+/// Length of a ray that hits nothing, for the atmosphere.
+constexpr double endless = 2e10;
+
+}  // namespace
+
+void RayStream::trace(std::span<const CameraRay> rays, std::span<Radiance> out) {
+    start(rays);
+    while (!state_.rays.empty()) run_wave();
+    finish(rays, out);
+}
+
+void RayStream::start(std::span<const CameraRay> rays) {
+    state_.rays.clear();
+    state_.next.clear();
+    state_.power_slots.clear();
+    state_.interiors.clear();
+    state_.slots.assign(rays.size(), Slot{});
+    state_.blockers.assign(program_.sample_count, no_leaf);
+    state_.counters = {};
+    if (!(1.0f >= program_.world.settings.adc_bailout)) return;
+
+    Vec3 origin = program_.world.camera.location;
+    InteriorList inside = state_.interiors.add(program_.camera_interiors);
+    for (size_t i = 0; i < rays.size(); ++i) {
+        if (!rays[i].exists) continue;
+        if (program_.tracks_interiors && rays[i].ray.origin != origin) {
+            origin = rays[i].ray.origin;
+            inside = state_.interiors.add(program_.geometry.interiors_at(origin));
+        }
+        PathRay ray;
+        ray.ray = rays[i].ray;
+        ray.slot = static_cast<uint32_t>(i);
+        ray.seed = rays[i].seed;
+        ray.inside = inside;
+        state_.rays.push_back(ray);
+        ++state_.counters.camera;
+    }
+}
+
+void RayStream::run_wave() {
+    intersect();
+    shade_hits();
+    std::swap(state_.rays, state_.next);
+    state_.next.clear();
+}
+
+void RayStream::intersect() {
+    state_.hits.clear();
+    Scratch::Scope memory(thread_scratch());
+    const auto misses = memory.take<uint32_t>(state_.rays.size());
+    size_t miss_count = 0;
+    for (uint32_t i = 0; i < state_.rays.size(); ++i) {
+        const PathRay& ray = state_.rays[i];
+        RayQuery query;
+        query.ray = ray.ray;
+        query.mask = ray.reflected ? seen_by_reflection : seen_by_image;
+        query.origin_leaf = ray.origin_leaf;
+        query.origin_error = ray.origin_error;
+        Hit hit;
+        if (!program_.geometry.closest(query, hit) || !add_hit(i, hit)) misses[miss_count++] = i;
+    }
+    shade_sky(misses.first(miss_count));
+}
+
+bool RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
+    const PathRay& ray = state_.rays[ray_index];
+    const SurfaceProgram& surface = program_.surface_of(hit.leaf);
+    HitPoint point;
+    point.point = hit.point;
+    point.direction = ray.ray.direction;
+    const bool from_inside = glm::dot(hit.normal, point.direction) > 0.0;
+    point.normal = from_inside ? -hit.normal : hit.normal;
+    point.t = hit.t;
+    point.error = hit.error;
+    point.ray = ray_index;
+    point.leaf = hit.leaf;
+    point.texture = from_inside ? surface.interior_texture : surface.texture;
+    point.interior = surface.interior;
+    point.double_illuminate = surface.double_illuminate;
+    point.weight = ray.weight;
+    point.alpha = ray.alpha;
+    pass_fog(ray, hit.t, point.weight, point.alpha);
+    state_.hits.push_back(point);
+    if (surface.uv_mapping || program_.textures[point.texture].needs_surface) {
+        state_.uv.resize(std::max(state_.uv.size(), state_.hits.size()));
+        state_.uv[state_.hits.size() - 1] = program_.geometry.uv(hit);
+    }
+    return true;
+}
+
+bool RayStream::in_the_open(InteriorList inside) const {
+    for (const uint32_t interior : state_.interiors.view(inside)) {
+        if (!program_.world.interiors[interior].hollow) return false;
+    }
+    return true;
+}
+
+void RayStream::pass_fog(const PathRay& ray, double length, Rgb& weight, float& alpha) {
+    if (program_.fog.empty() || !in_the_open(ray.inside)) return;
+    const FogEffect effect = program_.fog.along(ray.ray, length);
+    state_.slots[ray.slot].rgb += weight * effect.added;
+    weight *= effect.attenuation;
+    alpha *= grey(effect.attenuation);
+}
+
+void RayStream::shade_sky(std::span<const uint32_t> misses) {
+    if (misses.empty()) return;
+    Scratch::Scope memory(thread_scratch());
+    const auto directions = memory.take<Vec3>(misses.size());
+    const auto shows_alpha = memory.take<uint8_t>(misses.size());
+    const auto light = memory.take<SkyLight>(misses.size(), SkyLight{});
+    for (size_t i = 0; i < misses.size(); ++i) {
+        const PathRay& ray = state_.rays[misses[i]];
+        directions[i] = ray.ray.direction;
+        shows_alpha[i] = program_.options.alpha_output && !ray.reflected ? 1 : 0;
+    }
+    program_.sky.evaluate(directions, shows_alpha, light);
+    for (size_t i = 0; i < misses.size(); ++i) {
+        const PathRay& ray = state_.rays[misses[i]];
+        Rgb weight = ray.weight;
+        float alpha = ray.alpha;
+        pass_fog(ray, endless, weight, alpha);
+        Slot& slot = state_.slots[ray.slot];
+        slot.rgb += weight * light[i].rgb;
+        slot.transmit += alpha * light[i].transmit;
+    }
+}
+
+void RayStream::fill_samples() {
+    const size_t count = state_.hits.size();
+    state_.points.resize(count);
+    state_.seen_normals.resize(count);
+    state_.directions.resize(count);
+    state_.uv.resize(count);
+    for (size_t i = 0; i < count; ++i) {
+        const HitPoint& hit = state_.hits[i];
+        state_.points[i] = hit.point;
+        state_.seen_normals[i] = hit.normal;
+        state_.directions[i] = hit.direction;
+    }
+}
+
+void RayStream::shade_hits() {
+    if (state_.hits.empty()) return;
+    fill_samples();
+    Scratch::Scope memory(thread_scratch());
+    const size_t count = state_.hits.size();
+    const auto order = memory.take<uint64_t>(count);
+    const auto hits = memory.take<uint32_t>(count);
+    for (size_t i = 0; i < count; ++i) order[i] = (uint64_t{state_.hits[i].texture} << 32) | i;
+    std::sort(order.begin(), order.end());
+    for (size_t i = 0; i < count; ++i) hits[i] = static_cast<uint32_t>(order[i]);
+    SurfaceShader shader(program_, state_);
+    for (size_t begin = 0; begin < count;) {
+        const uint64_t texture = order[begin] >> 32;
+        size_t end = begin + 1;
+        while (end < count && order[end] >> 32 == texture) ++end;
+        shader.shade(program_.textures[texture], hits.subspan(begin, end - begin));
+        begin = end;
+    }
+}
+
+void RayStream::finish(std::span<const CameraRay> rays, std::span<Radiance> out) {
+    // Later slots belong to mirrors seen in earlier ones.
+    for (size_t k = state_.power_slots.size(); k-- > 0;) {
+        const PowerSlot& mirror = state_.power_slots[k];
+        const Rgb& light = state_.slots[mirror.slot].rgb;
+        const Rgb raised{std::pow(light.x, mirror.power), std::pow(light.y, mirror.power),
+                         std::pow(light.z, mirror.power)};
+        state_.slots[mirror.parent].rgb += mirror.weight * raised;
+    }
+    for (size_t i = 0; i < rays.size(); ++i) {
+        out[i] = rays[i].exists ? Radiance{state_.slots[i].rgb, state_.slots[i].transmit}
+                                : Radiance{Rgb(0.0f), 1.0f};
+    }
+}
+
+}  // namespace rb

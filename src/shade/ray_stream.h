@@ -1,0 +1,29 @@
+#pragma once
+#include "shade/stream_state.h"
+
+namespace rb {
+
+/// Follows one batch of camera rays, wave by wave, until nothing is left to follow.
+class RayStream {
+public:
+    RayStream(const ShadingProgram& program, StreamState& state) : program_(program), state_(state) {}
+
+    void trace(std::span<const CameraRay> rays, std::span<Radiance> out);
+
+private:
+    void start(std::span<const CameraRay> rays);
+    void run_wave();
+    void intersect();
+    bool add_hit(uint32_t ray_index, const Hit& hit);
+    void shade_sky(std::span<const uint32_t> misses);
+    void shade_hits();
+    void fill_samples();
+    void pass_fog(const PathRay& ray, double length, Rgb& weight, float& alpha);
+    bool in_the_open(InteriorList inside) const;
+    void finish(std::span<const CameraRay> rays, std::span<Radiance> out);
+
+    const ShadingProgram& program_;
+    StreamState& state_;
+};
+
+}  // namespace rb

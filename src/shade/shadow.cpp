@@ -1,0 +1,218 @@
+#include "shade/shadow.h"
+
+#include "shade/random.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rb {
+
+namespace {
+
+bool is_black(const Rgb& c) {
+    return std::abs(c.x) < 1e-10f && std::abs(c.y) < 1e-10f && std::abs(c.z) < 1e-10f;
+}
+
+float difference(const Rgb& a, const Rgb& b) {
+    return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
+}
+
+/// What lies this near to a light does not shade it: 0.001 as in the language, less for tiny scenes.
+double shadow_reach(double distance) { return distance - std::min(1e-3, 1e-4 * distance); }
+
+}  // namespace
+
+Rgb interior_fade(const Interior& interior, double distance) {
+    const double s = distance / interior.fade_distance;
+    if (interior.fade_power >= 1000.0) {
+        const Rgb dim = (Rgb(1.0f) - interior.fade_color) * static_cast<float>(-s);
+        return {std::exp(dim.x), std::exp(dim.y), std::exp(dim.z)};
+    }
+    const auto k = static_cast<float>(1.0 / (1.0 + std::pow(s, interior.fade_power)));
+    return interior.fade_color + (Rgb(1.0f) - interior.fade_color) * k;
+}
+
+Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place, const Vec3& normal,
+                   const Vec3& light_direction, double caustics) {
+    Rgb filter(1.0f);
+    if (texture.is_patterned()) {
+        Scratch::Scope memory(thread_scratch());
+        const auto points = texture.uv_mapping ? uv_points(place, memory) : place.points;
+        const PatternSamples moved = place.at(carried(texture.field, points, memory));
+        const auto of = [&](size_t k) {
+            return texture_filter(texture.children[k], moved, normal, light_direction, caustics);
+        };
+        if (texture.average) {
+            Rgb sum(0.0f);
+            float total = 0;
+            for (size_t k = 0; k < texture.children.size(); ++k) {
+                sum += texture.positions.positions[k] * of(k);
+                total += texture.positions.positions[k];
+            }
+            return total == 0.0f ? sum : sum / total;
+        }
+        double value = 0;
+        texture.field.values(moved, {&value, 1});
+        const MapPlace at = texture.positions.find(value);
+        if (at.first == at.second) return of(at.first);
+        const auto t = static_cast<float>(at.t);
+        return (1.0f - t) * of(at.first) + t * of(at.second);
+    }
+    for (const LayerProgram& layer : texture.layers) {
+        Color color;
+        layer.pigment.evaluate(place, {&color, 1});
+        filter *= passed(color);
+        const double exponent = layer.finish.finish.caustics ? *layer.finish.finish.caustics : caustics;
+        if (exponent == 0.0) continue;
+        Vec3 n = normal;
+        if (layer.normal) layer.normal->perturb(place, {&n, 1});
+        const double c = std::abs(glm::dot(glm::normalize(n), light_direction));
+        filter *= static_cast<float>(1.0 + std::pow(c, exponent));
+    }
+    return filter;
+}
+
+Rgb ShadowTracer::arriving(size_t light, const HitPoint& hit, const LightVector& to_center,
+                           const Rgb& color) {
+    const LightProgram& program = program_.lights[light];
+    if (program.is_shadowless() || program_.options.quality < 4) return color;
+    if (program.light().is_area) return over_area(light, hit, to_center, color);
+    return along(hit, to_center, color, state_.blockers[program_.first_sample[light]]);
+}
+
+Rgb ShadowTracer::along(const HitPoint& hit, const LightVector& way, Rgb color, uint32_t& blocker) {
+    const double t_max = shadow_reach(way.distance);
+    if (!(t_max > 0.0)) return color;
+    ++state_.counters.shadow;
+    const RayQuery query{{hit.point, way.direction}, t_max, blocks_light, hit.leaf, hit.error};
+    if (program_.geometry.occluded(query, blocker)) return Rgb(0.0f);
+    return program_.filters_shadows ? filtered(hit, way, t_max, color) : color;
+}
+
+Rgb ShadowTracer::filtered(const HitPoint& from, const LightVector& way, double t_max, Rgb color) {
+    const auto view = state_.interiors.view(state_.ray_of(from).inside);
+    thread_local std::vector<uint32_t> inside;
+    inside.assign(view.begin(), view.end());
+    RayQuery query{{from.point, way.direction}, t_max, filters_light, from.leaf, from.error};
+    Hit hit;
+    while (program_.geometry.closest(query, hit)) {
+        color *= filter_of(hit, way.direction, hit.t, inside);
+        if (is_black(color)) return Rgb(0.0f);
+        const uint32_t interior = program_.surface_of(hit.leaf).interior;
+        const auto known = std::find(inside.begin(), inside.end(), interior);
+        if (known != inside.end()) {
+            inside.erase(known);
+        } else {
+            inside.push_back(interior);
+        }
+        query.t_max -= hit.t;
+        if (!(query.t_max > 0.0)) break;
+        query.ray.origin = hit.point;
+        query.origin_leaf = hit.leaf;
+        query.origin_error = hit.error;
+    }
+    return color;
+}
+
+Rgb ShadowTracer::filter_of(const Hit& hit, const Vec3& direction, double segment,
+                            std::span<const uint32_t> inside) {
+    const SurfaceProgram& surface = program_.surface_of(hit.leaf);
+    const bool from_inside = glm::dot(hit.normal, direction) > 0.0;
+    const TextureProgram& texture =
+        program_.textures[from_inside ? surface.interior_texture : surface.texture];
+    const Vec3 normal = from_inside ? -hit.normal : hit.normal;
+    const Interior& interior = program_.world.interiors[surface.interior].interior;
+
+    Vec2 uv{0.0};
+    if (surface.uv_mapping || texture.needs_surface) uv = program_.geometry.uv(hit);
+    const Vec3 point = surface.uv_mapping ? Vec3{uv.x, uv.y, 0.0} : hit.point;
+    const SurfaceSamples samples{{&hit.point, 1}, {&normal, 1}, {&direction, 1}, {&uv, 1}};
+    constexpr uint32_t row = 0;
+    Rgb filter = texture_filter(texture, {{&point, 1}, &samples, {&row, 1}}, normal, direction,
+                                interior.caustics * 45.0);
+    const bool leaves = std::find(inside.begin(), inside.end(), surface.interior) != inside.end();
+    if (leaves && interior.fade_power > 0.0 && std::abs(interior.fade_distance) > 1e-10) {
+        filter *= interior_fade(interior, segment);
+    }
+    return filter;
+}
+
+/// One evaluation of an area light: every grid point is looked at once at most.
+struct ShadowTracer::Grid {
+    size_t light;
+    const HitPoint& hit;
+    const LightVector& to_center;
+    const Rgb& color;
+    std::span<Rgb> arrived;
+    std::span<uint8_t> known;
+};
+
+Vec3 ShadowTracer::grid_offset(size_t light, const HitPoint& hit, int u, int v, const Vec3& to_center,
+                               uint64_t salt) const {
+    const LightProgram& program = program_.lights[light];
+    const AreaGrid& grid = program.light().area;
+    double x = u;
+    double y = v;
+    if (grid.jitter) {
+        // Uniform over the cell as in the language, but multi-jittered: rows and columns of the grid share
+        // their strata (Kensler, "Correlated Multi-Jittered Sampling").
+        const uint64_t seed = mixed(state_.ray_of(hit).seed, 16 * light + salt);
+        const auto width = static_cast<uint32_t>(grid.size1);
+        const auto height = static_cast<uint32_t>(grid.size2);
+        const auto column = static_cast<uint32_t>(u);
+        const auto row = static_cast<uint32_t>(v);
+        const uint64_t draw = mixed(seed, static_cast<uint64_t>(row) * width + column);
+        const double fine_x = unit_random(draw);
+        const double fine_y = unit_random(mixed(draw, 1));
+        x += (permuted(row, height, static_cast<uint32_t>(seed)) + fine_x) / height - 0.5;
+        y += (permuted(column, width, static_cast<uint32_t>(seed >> 32)) + fine_y) / width - 0.5;
+    }
+    return program.area_offset(x, y, to_center);
+}
+
+Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector& to_center,
+                            const Rgb& color) {
+    const AreaGrid& area = program_.lights[light].light().area;
+    Scratch::Scope memory(thread_scratch());
+    const size_t count = program_.lights[light].sample_count();
+    Grid grid{light, hit, to_center, color, memory.take<Rgb>(count), memory.take<uint8_t>(count, uint8_t{0})};
+    return grid_cell(grid, 0, 0, area.size1 - 1, area.size2 - 1, 0);
+}
+
+const Rgb& ShadowTracer::grid_point(Grid& grid, int u, int v) {
+    const LightProgram& light = program_.lights[grid.light];
+    const auto index =
+        static_cast<size_t>(v) * static_cast<size_t>(light.light().area.size1) + static_cast<size_t>(u);
+    if (!grid.known[index]) {
+        grid.known[index] = 1;
+        const Vec3 offset = grid_offset(grid.light, grid.hit, u, v, grid.to_center.direction, 0);
+        uint32_t& blocker = state_.blockers[program_.first_sample[grid.light] + index];
+        grid.arrived[index] = along(grid.hit, light.toward(grid.hit.point, offset), grid.color, blocker);
+    }
+    return grid.arrived[index];
+}
+
+Rgb ShadowTracer::grid_cell(Grid& grid, int u1, int v1, int u2, int v2, int level) {
+    Rgb s0 = grid_point(grid, u1, v1);
+    Rgb s1 = grid_point(grid, u2, v1);
+    Rgb s2 = grid_point(grid, u1, v2);
+    Rgb s3 = grid_point(grid, u2, v2);
+    if (u2 - u1 > 1 || v2 - v1 > 1) {
+        constexpr float threshold = 0.1f;
+        const bool differ = difference(s0, s1) > threshold || difference(s1, s3) > threshold ||
+                            difference(s3, s2) > threshold || difference(s2, s0) > threshold;
+        if (level < program_.lights[grid.light].light().area.adaptive || differ) {
+            const int u_low = (u1 + u2) / 2;
+            const int u_high = (u1 + u2 + 1) / 2;
+            const int v_low = (v1 + v2) / 2;
+            const int v_high = (v1 + v2 + 1) / 2;
+            s0 = grid_cell(grid, u1, v1, u_low, v_low, level + 1);
+            s1 = grid_cell(grid, u_high, v1, u2, v_low, level + 1);
+            s2 = grid_cell(grid, u1, v_high, u_low, v2, level + 1);
+            s3 = grid_cell(grid, u_high, v_high, u2, v2, level + 1);
+        }
+    }
+    return 0.25f * (s0 + s1 + s2 + s3);
+}
+
+}  // namespace rb

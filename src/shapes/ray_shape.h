@@ -1,0 +1,68 @@
+#pragma once
+#include "scene/shape.h"
+
+#include <cmath>
+
+namespace rb {
+
+/// Makes both crossing queries of a shape from one function of `S`:
+///     template <class Sink> void each_crossing(const ShapeRay& ray, Sink&& sink) const;
+/// which hands every crossing, in any order and without regard to t_min and t_max, to sink(t, part, at).
+template <class S>
+class RayShape : public Shape {
+public:
+    void crossings(const ShapeRay& ray, Crossings& out) const final {
+        self().each_crossing(ray, [&](double t, uint32_t part, const Vec2& at) {
+            if (t > ray.t_min && t <= ray.t_max) out.add({t, part, at});
+        });
+    }
+
+    bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const final {
+        bool found = false;
+        double best = ray.t_max;
+        self().each_crossing(ray, [&](double t, uint32_t part, const Vec2& at) {
+            if (!(t > ray.t_min && t <= best)) return;
+            const Crossing crossing{t, part, at};
+            if (filter && !filter->counts(crossing)) return;
+            nearest = crossing;
+            best = t;
+            found = true;
+        });
+        return found;
+    }
+
+private:
+    const S& self() const { return static_cast<const S&>(*this); }
+};
+
+/// How much an affine map can stretch a length: a bound (Frobenius norm of the 3x3 part).
+inline double stretch(const Affine& map) {
+    return std::sqrt(glm::dot(map.row[0], map.row[0]) + glm::dot(map.row[1], map.row[1]) +
+                     glm::dot(map.row[2], map.row[2]));
+}
+
+/// If `map` is rotation, uniform scale, translation and perhaps a mirror: its scale factor, else 0.
+inline double similarity_scale(const Affine& map) {
+    const double a = glm::dot(map.row[0], map.row[0]);
+    const double b = glm::dot(map.row[1], map.row[1]);
+    const double c = glm::dot(map.row[2], map.row[2]);
+    const double tolerance = 1e-12 * a;
+    if (std::abs(a - b) > tolerance || std::abs(a - c) > tolerance) return 0.0;
+    if (std::abs(glm::dot(map.row[0], map.row[1])) > tolerance ||
+        std::abs(glm::dot(map.row[0], map.row[2])) > tolerance ||
+        std::abs(glm::dot(map.row[1], map.row[2])) > tolerance) {
+        return 0.0;
+    }
+    return std::sqrt(a);
+}
+
+/// `angle` of the point (x, z) as a share of the full turn in [0, 1): 0 at +x, 1/4 at +z (spec:
+/// geometry 9.1).
+inline double turn_share(double x, double z) {
+    const double rho = std::hypot(x, z);
+    if (rho == 0.0) return 0.0;
+    const double share = std::acos(std::fmin(std::fmax(x / rho, -1.0), 1.0)) / (2.0 * pi);
+    return z < 0.0 ? 1.0 - share : share;
+}
+
+}  // namespace rb

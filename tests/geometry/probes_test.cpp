@@ -1,0 +1,169 @@
+// Values measured with the reference program (trace, inside, min_extent, max_extent).
+#include "compile/probe.h"
+#include "tests/geometry/statement.h"
+
+#include <gtest/gtest.h>
+
+namespace rb {
+namespace {
+
+void expect_near(const Vec3& got, const Vec3& wanted, const char* what) {
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(got[i], wanted[i], 2e-7 * (1.0 + std::abs(wanted[i]))) << what << " " << i;
+}
+
+class Probe {
+public:
+    explicit Probe(std::string_view text) : object_(object_from(text)) {}
+
+    void hits(const Vec3& origin, const Vec3& direction, const Vec3& point, const Vec3& normal) {
+        const auto traced = probe_.trace(object_, origin, direction);
+        ASSERT_TRUE(traced.has_value());
+        expect_near(traced->point, point, "point");
+        expect_near(traced->normal, normal, "normal");
+    }
+    void misses(const Vec3& origin, const Vec3& direction) {
+        const auto traced = probe_.trace(object_, origin, direction);
+        EXPECT_FALSE(traced.has_value()) << (traced ? traced->point.z : 0.0);
+    }
+    bool inside(const Vec3& p) { return probe_.inside(object_, p); }
+    Bounds extent() { return probe_.extent(object_); }
+
+private:
+    ObjectPtr object_;
+    ObjectProbe probe_;
+};
+
+const Vec3 x{1, 0, 0};
+const Vec3 y{0, 1, 0};
+const Vec3 z{0, 0, 1};
+
+TEST(Probes, P1Sphere) {
+    Probe o("sphere{<0,0,0>,1}");
+    o.hits({.3, .2, -5}, z, {.3, .2, -.9327379}, {.3, .2, -.9327379});
+    o.misses({1, 0, -5}, z);
+    o.hits({0, 0, -1.00005}, z, {0, 0, 1}, {0, 0, 1});
+    o.hits({0, 0, -1.0002}, z, {0, 0, -1}, {0, 0, -1});
+    EXPECT_FALSE(o.inside({1, 0, 0}));
+    EXPECT_TRUE(o.inside({.99999999, 0, 0}));
+}
+
+TEST(Probes, P2Ellipsoid) {
+    Probe o("sphere{<1,2,3>,1 scale <1,2,3>}");
+    o.hits({1.3, 4.2, -5}, z, {1.3, 4.2, 6.1539501}, {.6837635, .1139606, -.72075});
+    expect_near(o.extent().lo, {0, 2, 6}, "min");
+    expect_near(o.extent().hi, {2, 6, 12}, "max");
+}
+
+TEST(Probes, P3BoxSidesAndTies) {
+    Probe o("box{<-1,-2,-3>,<1,2,3>}");
+    o.hits({1, .2, -5}, z, {1, .2, -3}, {0, 0, -1});
+    o.hits({0, 0, 0}, z, {0, 0, 3}, {0, 0, 1});
+    o.hits({-5, -5, -5}, {4, 3, 2}, {-1, -2, -3}, {-1, 0, 0});
+    EXPECT_TRUE(o.inside({1, 2, 3}));
+}
+
+TEST(Probes, P4PlaneDistance) {
+    Probe o("plane{<0,3,0>,2}");
+    o.hits({.3, 10, -5}, -y, {.3, 2, -5}, {0, 1, 0});
+    EXPECT_TRUE(o.inside({0, 2, 0}));
+    EXPECT_FALSE(o.inside({0, 2.0000001, 0}));
+}
+
+TEST(Probes, P5PlaneScaledAndRotated) {
+    Probe o("plane{y,2 scale <1,3,1> rotate <0,0,45>}");
+    o.hits({0, 0, 0}, y, {0, 8.4852814, 0}, {-.7071068, .7071068, 0});
+}
+
+TEST(Probes, P6CylinderClosed) {
+    Probe o("cylinder{<0,0,0>,<0,2,0>,1}");
+    o.hits({.3, 1, -5}, z, {.3, 1, -.9539392}, {.3, 0, -.9539392});
+    o.hits({.3, 5, 0}, -y, {.3, 2, 0}, {0, 1, 0});
+    EXPECT_FALSE(o.inside({0, 2, 0}));
+    EXPECT_TRUE(o.inside({.9999999999, 1, 0}));
+}
+
+TEST(Probes, P7CylinderOpen) {
+    Probe o("cylinder{<0,0,0>,<0,2,0>,1 open}");
+    o.misses({.3, 5, 0}, -y);
+    EXPECT_TRUE(o.inside({0, 2, 0}));
+    EXPECT_TRUE(o.inside({1, 1, 0}));
+}
+
+TEST(Probes, P8Cone) {
+    Probe o("cone{<0,0,0>,1,<0,2,0>,0.5}");
+    o.hits({.3, 1, -5}, z, {.3, 1, -.6873864}, {.388057, .2425356, -.8891503});
+    expect_near(o.extent().hi, {1, 2, 1}, "max");
+}
+
+TEST(Probes, P9DoubleCone) {
+    Probe o("cone{<0,0,0>,1,<0,2,0>,-1}");
+    o.hits({.2, .5, -5}, z, {.2, .5, -.4582576}, {.2828427, .7071068, -.6480741});
+    o.hits({.2, 1.5, -5}, z, {.2, 1.5, -.4582576}, {.2828427, -.7071068, -.6480741});
+}
+
+TEST(Probes, P10DiscWithHole) {
+    Probe o("disc{<0,0,0>,y,1,0.5}");
+    o.hits({.7, 3, 0}, -y, {.7, 0, 0}, {0, 1, 0});
+    o.misses({.3, 3, 0}, -y);
+    EXPECT_TRUE(o.inside({9, -1, 0}));
+    EXPECT_FALSE(o.inside({0, 0, 0}));
+}
+
+TEST(Probes, P50CoincidentBoxes) {
+    Probe o("difference{box{0,1} box{0,1}}");
+    o.hits({.3, .4, -5}, z, {.3, .4, 0}, {0, 0, 1});
+    EXPECT_FALSE(o.inside({.5, .5, .5}));
+}
+
+TEST(Probes, P51MergeOfIdenticalBoxes) { Probe("merge{box{0,1} box{0,1}}").misses({.3, .4, -5}, z); }
+
+TEST(Probes, P52MergeSharesAFace) {
+    Probe("merge{box{0,1} box{x,<2,1,1>}}").hits({.5, .4, .3}, x, {2, .4, .3}, {1, 0, 0});
+}
+
+TEST(Probes, P53PlanesMakeABox) {
+    Probe o(
+        "intersection{plane{y,1} plane{<0,-1,0>,1} plane{x,1} plane{<-1,0,0>,1} plane{z,1} "
+        "plane{<0,0,-1>,1}}");
+    expect_near(o.extent().lo, {-1, -1, -1}, "min");
+    o.hits({.1, .2, -5}, z, {.1, .2, -1}, {0, 0, -1});
+}
+
+TEST(Probes, P54InverseUnion) {
+    Probe o("union{sphere{0,1} sphere{<0.5,0,0>,1} inverse}");
+    EXPECT_FALSE(o.inside({0, 0, 0}));
+    EXPECT_TRUE(o.inside({9, 9, 9}));
+    o.hits({0, 0, -5}, z, {0, 0, -1}, {0, 0, 1});
+}
+
+TEST(Probes, P58Clipping) {
+    Probe o("sphere{0,1 clipped_by{plane{y,0}}}");
+    o.misses({0, .5, -5}, z);
+    o.hits({0, 5, 0}, -y, {0, -1, 0}, {0, -1, 0});
+    EXPECT_FALSE(o.inside({0, .5, 0}));
+}
+
+TEST(Probes, P59BoundCutsByRay) {
+    Probe o("sphere{0,1 bounded_by{box{-.5,.5}}}");
+    o.hits({.2, .2, -5}, z, {.2, .2, -.9591663}, {.2, .2, -.9591663});
+    o.misses({.8, .2, -5}, z);
+    expect_near(o.extent().hi, {.5, .5, .5}, "max");
+}
+
+TEST(Probes, P60RotationSense) {
+    Probe("sphere{x,.1 rotate <0,90,0>}").hits({0, 5, -1}, -y, {0, .1, -1}, {0, 1, 0});
+}
+
+TEST(Probes, P61MatrixOrder) {
+    Probe o("sphere{<1,2,3>,.1 matrix <1,2,3> <4,5,6> <7,8,10> <11,12,13> scale 0.01}");
+    expect_near(o.extent().lo, {.398, .465, .561}, "min");
+    expect_near(o.extent().hi, {.422, .495, .599}, "max");
+}
+
+TEST(Probes, P67InvertedSphereTurnsItsNormal) {
+    Probe("sphere{0,1 inverse}").hits({.3, .2, -5}, z, {.3, .2, -.9327379}, {-.3, -.2, .9327379});
+}
+
+}  // namespace
+}  // namespace rb
