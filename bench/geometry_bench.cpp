@@ -1,6 +1,7 @@
 // Rays per second of the geometry queries on scenes made here. Usage: geometry_bench [scene]
 #include "block/reader.h"
 #include "compile/geometry.h"
+#include "shapes/mesh_shape.h"
 #include "shapes/registry.h"
 
 #include <chrono>
@@ -212,6 +213,9 @@ void bumpy() {
     const ShapePtr mesh = read_shape(block);
     fmt::print("mesh2 of 1,000,000 triangles: read and tree {:.2f} s; {}; {}\n", seconds() - start,
                mesh->describe(), memory());
+    const KdTree& tree = static_cast<const MeshShape&>(*mesh).tree();
+    fmt::print("{} nodes, {} references, {:.1f} MB\n", tree.node_count(), tree.reference_count(),
+               static_cast<double>(tree.memory()) * 1e-6);
     block = {};
     BenchScene scene;
     scene.add_room();

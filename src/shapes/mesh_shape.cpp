@@ -10,14 +10,12 @@ namespace rb {
 
 namespace {
 
-/// A flat face whose box is much larger than itself is worth cutting exactly at split planes.
-bool is_sliver(const Vec3& a, const Vec3& b, const Vec3& c) {
-    Bounds box;
-    box.include(a);
-    box.include(b);
-    box.include(c);
-    const Vec3 n = glm::cross(b - a, c - a);
-    return box.half_area() > 4.0 * 0.5 * glm::length(n);
+/// A face whose box is much larger than itself is worth cutting exactly at split planes.
+bool is_sliver(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+    const Vec3f size = glm::max(glm::max(a, b), c) - glm::min(glm::min(a, b), c);
+    const Vec3f n = glm::cross(b - a, c - a);
+    const float box = size.x * size.y + size.y * size.z + size.z * size.x;
+    return box * box > 4.0f * glm::dot(n, n);
 }
 
 }  // namespace
@@ -32,22 +30,34 @@ MeshShape::MeshShape(std::string_view keyword, MeshData data, bool brute_force)
     options.block = 4;
     options.traversal_cost = 1.0;
     if (data_.triangles.faces.size() > 200000) options.sweep_below = 0;
-    tree_ = KdTree(face_boxes(), options, [this](uint32_t face, const Bounds& cell) {
-        const Vec3 a = vertex(face, 0);
-        const Vec3 b = vertex(face, 1);
-        const Vec3 c = vertex(face, 2);
-        return is_sliver(a, b, c) ? clipped_triangle(a, b, c, cell) : cell;
-    });
+    if (getenv("KB")) options.block = atoi(getenv("KB"));
+    if (getenv("KT")) options.traversal_cost = atof(getenv("KT"));
+    if (getenv("KS")) options.sweep_below = atoi(getenv("KS"));
+    std::vector<bool> slivers;
+    std::vector<BoxF> boxes = face_boxes(slivers);
+    KdTree::Clip clip;
+    if (std::find(slivers.begin(), slivers.end(), true) != slivers.end()) {
+        clip = [&](uint32_t face, const Bounds& cell) {
+            if (!slivers[face]) return cell;
+            return clipped_triangle(vertex(face, 0), vertex(face, 1), vertex(face, 2), cell);
+        };
+    }
+    tree_ = KdTree(std::move(boxes), options, clip);
 }
 
-std::vector<BoxF> MeshShape::face_boxes() const {
+std::vector<BoxF> MeshShape::face_boxes(std::vector<bool>& slivers) const {
     std::vector<BoxF> boxes;
-    boxes.reserve(data_.triangles.faces.size());
-    const auto& vertices = data_.triangles.vertices;
-    for (const auto& f : data_.triangles.faces) {
-        const Vec3f lo = glm::min(glm::min(vertices[f[0]], vertices[f[1]]), vertices[f[2]]);
-        const Vec3f hi = glm::max(glm::max(vertices[f[0]], vertices[f[1]]), vertices[f[2]]);
+    const auto& faces = data_.triangles.faces;
+    boxes.reserve(faces.size());
+    slivers.resize(faces.size());
+    for (size_t i = 0; i < faces.size(); ++i) {
+        const Vec3f& a = data_.triangles.vertices[faces[i][0]];
+        const Vec3f& b = data_.triangles.vertices[faces[i][1]];
+        const Vec3f& c = data_.triangles.vertices[faces[i][2]];
+        const Vec3f lo = glm::min(glm::min(a, b), c);
+        const Vec3f hi = glm::max(glm::max(a, b), c);
         boxes.push_back({{lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z}});
+        slivers[i] = is_sliver(a, b, c);
     }
     return boxes;
 }
