@@ -12,10 +12,6 @@ public:
     /// compares colours, so they come with their attenuation.
     Rgb arriving(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color);
 
-    /// Offset of a grid sample, jittered if the light wants it; `salt` tells several uses of a light apart.
-    Vec3 grid_offset(size_t light, const HitPoint& hit, int u, int v, const Vec3& to_center,
-                     uint64_t salt) const;
-
 private:
     struct Grid;
     Rgb along(const HitPoint& hit, const LightVector& way, Rgb color, uint32_t& blocker);
