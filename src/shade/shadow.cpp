@@ -84,7 +84,7 @@ Rgb ShadowTracer::along(const HitPoint& hit, const LightVector& way, Rgb color, 
     const double t_max = shadow_reach(way.distance);
     if (!(t_max > 0.0)) return color;
     ++state_.counters.shadow;
-    RayQuery query{{hit.point, way.direction}, t_max, program_.shadow_mask, hit.leaf, hit.error};
+    RayQuery query = StreamState::query_from(hit, way.direction, t_max, program_.shadow_mask);
     if (!program_.geometry.occluded(query, blocker)) return color;
     if (program_.geometry.leaf(blocker).mask & blocks_light) return Rgb(0.0f);
     // Something clear is in the way; whatever is opaque behind or before it decides first.
@@ -101,7 +101,7 @@ Rgb ShadowTracer::filtered(const HitPoint& from, const LightVector& way, double 
     const auto view = state_.interiors.view(state_.ray_of(from).inside);
     thread_local std::vector<uint32_t> inside;
     inside.assign(view.begin(), view.end());
-    RayQuery query{{from.point, way.direction}, t_max, filters_light, from.leaf, from.error};
+    RayQuery query = StreamState::query_from(from, way.direction, t_max, filters_light);
     Hit hit;
     while (program_.geometry.closest(query, hit)) {
         color *= filter_of(hit, way.direction, hit.t, inside);
@@ -117,6 +117,7 @@ Rgb ShadowTracer::filtered(const HitPoint& from, const LightVector& way, double 
         if (!(query.t_max > 0.0)) break;
         query.ray.origin = hit.point;
         query.origin_leaf = hit.leaf;
+        query.origin_part = hit.crossing.part;
         query.origin_error = hit.error;
     }
     return color;
@@ -124,25 +125,33 @@ Rgb ShadowTracer::filtered(const HitPoint& from, const LightVector& way, double 
 
 Rgb ShadowTracer::filter_of(const Hit& hit, const Vec3& direction, double segment,
                             std::span<const uint32_t> inside) {
-    const SurfaceProgram& surface = program_.surface_of(hit.leaf);
+    std::array<SurfaceWeight, 3> worn;
+    const int count = program_.geometry.surfaces_at(hit, worn);
+    Rgb filter(0.0f);
+    for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
+        filter += worn[i].weight * surface_filter(program_.surfaces[worn[i].surface], hit, direction);
+    }
+    const uint32_t own = program_.surface_of(hit.leaf).interior;
+    const Interior& interior = program_.world.interiors[own].interior;
+    const bool leaves = std::find(inside.begin(), inside.end(), own) != inside.end();
+    if (leaves && interior.fade_power > 0.0 && std::abs(interior.fade_distance) > 1e-10) {
+        filter *= interior_fade(interior, segment);
+    }
+    return filter;
+}
+
+Rgb ShadowTracer::surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction) {
     const bool from_inside = glm::dot(hit.normal, direction) > 0.0;
     const TextureProgram& texture =
         program_.textures[from_inside ? surface.interior_texture : surface.texture];
     const Vec3 normal = from_inside ? -hit.normal : hit.normal;
-    const Interior& interior = program_.world.interiors[surface.interior].interior;
-
     Vec2 uv{0.0};
     if (surface.uv_mapping || texture.needs_surface) uv = program_.geometry.uv(hit);
     const Vec3 point = surface.uv_mapping ? Vec3{uv.x, uv.y, 0.0} : hit.point;
     const SurfaceSamples samples{{&hit.point, 1}, {&normal, 1}, {&direction, 1}, {&uv, 1}};
     constexpr uint32_t row = 0;
-    Rgb filter = texture_filter(texture, {{&point, 1}, &samples, {&row, 1}}, normal, direction,
-                                interior.caustics * 45.0);
-    const bool leaves = std::find(inside.begin(), inside.end(), surface.interior) != inside.end();
-    if (leaves && interior.fade_power > 0.0 && std::abs(interior.fade_distance) > 1e-10) {
-        filter *= interior_fade(interior, segment);
-    }
-    return filter;
+    const double caustics = program_.world.interiors[surface.interior].interior.caustics * 45.0;
+    return texture_filter(texture, {{&point, 1}, &samples, {&row, 1}}, normal, direction, caustics);
 }
 
 /// One evaluation of an area light: every grid point is looked at once at most.

@@ -17,6 +17,7 @@ private:
     Rgb along(const HitPoint& hit, const LightVector& way, Rgb color, uint32_t& blocker);
     Rgb filtered(const HitPoint& hit, const LightVector& way, double t_max, Rgb color);
     Rgb filter_of(const Hit& hit, const Vec3& direction, double segment, std::span<const uint32_t> inside);
+    Rgb surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction);
     Rgb over_area(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color);
     const Rgb& grid_point(Grid& grid, int u, int v);
     Rgb grid_cell(Grid& grid, int u1, int v1, int u2, int v2, int level);
