@@ -10,81 +10,99 @@ namespace rb {
 
 namespace {
 
-using Pair = double __attribute__((vector_size(16)));
+// The same source compiled for the baseline and for AVX2, chosen at run time; no contraction, so both give
+// the same bits. Sanitizers cannot start with functions that are chosen this early.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define RB_FOR_EACH_TARGET __attribute__((target_clones("avx2", "default")))
+#else
+#define RB_FOR_EACH_TARGET
+#endif
+#define RB_INLINE inline __attribute__((always_inline))
 
-inline Pair load_pair(const double* from) {
-    Pair pair;
-    std::memcpy(&pair, from, sizeof pair);
-    return pair;
+using Quad = double __attribute__((vector_size(32)));
+using QuadMask = int64_t __attribute__((vector_size(32)));
+using Quad32 = int32_t __attribute__((vector_size(16)));
+
+constexpr Quad corner_offsets[8] = {{0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 1, 1, 0},
+                                    {0, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {0, 1, 1, 1}};
+
+RB_INLINE double smooth(double f) { return f * f * (3.0 - 2.0 * f); }
+
+/// Whole parts by lattice_floor and the rests; element 0 is not used.
+RB_INLINE void split(const Vec3& p, Quad32& whole, Quad& rest) {
+    const Quad v{0.0, p.x, p.y, p.z};
+    constexpr double limit = 2147483647.0;
+    if (std::abs(p.x) < limit && std::abs(p.y) < limit && std::abs(p.z) < limit) {
+        const Quad almost_one = {1.0 - tiny, 1.0 - tiny, 1.0 - tiny, 1.0 - tiny};
+        const QuadMask negative = v < Quad{};
+        const Quad down = v - reinterpret_cast<Quad>(reinterpret_cast<QuadMask>(almost_one) & negative);
+        whole = __builtin_convertvector(down, Quad32);
+    } else {
+        whole = Quad32{0, lattice_floor(p.x), lattice_floor(p.y), lattice_floor(p.z)};
+    }
+    rest = v - __builtin_convertvector(whole, Quad);
 }
 
-/// The eight corners of the lattice cell around a point: where their values start in the value table, and
-/// the weighted factors (1/2, x | y, z) that turn four values into the corner's share.
-struct Corners {
-    const double* values[8];
-    Pair half_x[8];
-    Pair y_z[8];
-};
-
-inline double smooth(double f) { return f * f * (3.0 - 2.0 * f); }
-
-inline void corners_of(const Vec3& p, Corners& out) {
-    const int32_t tx = lattice_floor(p.x);
-    const int32_t ty = lattice_floor(p.y);
-    const int32_t tz = lattice_floor(p.z);
-    const double fx = p.x - tx;
-    const double fy = p.y - ty;
-    const double fz = p.z - tz;
-    const uint32_t cx = static_cast<uint32_t>(tx) + 10000u;
-    const uint32_t cy = static_cast<uint32_t>(ty) + 10000u;
-    const uint32_t cz = static_cast<uint32_t>(tz) + 10000u;
-    const double sx = smooth(fx);
-    const double sy = smooth(fy);
-    const double sz = smooth(fz);
-
+/// `Count` independent noises at once: each of the eight corners of the cell around the point shares its
+/// place in the value table and its weighted factors (1/2, x, y, z) among them.
+template <int Count>
+RB_INLINE void lattice_noises(const Vec3& p, double (&out)[Count]) {
+    Quad32 whole;
+    Quad f;
+    split(p, whole, f);
+    const uint32_t cx = static_cast<uint32_t>(whole[1]) + 10000u;
+    const uint32_t cy = static_cast<uint32_t>(whole[2]) + 10000u;
+    const uint32_t cz = static_cast<uint32_t>(whole[3]) + 10000u;
+    const Quad s = f * f * (Quad{3.0, 3.0, 3.0, 3.0} - (f + f));
+    const double sx = s[1];
+    const double sy = s[2];
+    const double sz = s[3];
     const uint32_t z[2] = {cz & 4095u, (cz + 1) & 4095u};
     const uint32_t y[2] = {cy & 4095u, (cy + 1) & 4095u};
     const uint32_t x[2] = {hash_table[cx & 4095u], hash_table[(cx + 1) & 4095u]};
-    const double wx[2] = {1.0 - sx, sx};
-    const double wy[2] = {1.0 - sy, sy};
-    const double wz[2] = {1.0 - sz, sz};
-    const Pair half_x[2] = {Pair{0.5, fx}, Pair{0.5, fx - 1.0}};
-    const double dy[2] = {fy, fy - 1.0};
-    const double dz[2] = {fz, fz - 1.0};
+    const Quad xy = Quad{1.0 - sx, sx, 1.0 - sx, sx} * Quad{1.0 - sy, 1.0 - sy, sy, sy};
+    const Quad near = xy * Quad{1.0 - sz, 1.0 - sz, 1.0 - sz, 1.0 - sz};
+    const Quad far = xy * Quad{sz, sz, sz, sz};
+    const Quad place{0.5, f[1], f[2], f[3]};
 
+    Quad even[Count] = {};
+    Quad odd[Count] = {};
 #pragma GCC unroll 8
     for (unsigned corner = 0; corner < 8; ++corner) {
-        const unsigned ix = corner & 1u;
-        const unsigned iy = (corner >> 1) & 1u;
-        const unsigned iz = corner >> 2;
-        const uint32_t key = hash_bytes[hash_table[x[ix] ^ y[iy]] ^ z[iz]];
-        const double w = wx[ix] * wy[iy] * wz[iz];
-        out.values[corner] = value_table.data() + key;
-        out.half_x[corner] = half_x[ix] * Pair{w, w};
-        out.y_z[corner] = Pair{dy[iy], dz[iz]} * Pair{w, w};
+        const uint32_t key = hash_bytes[hash_table[x[corner & 1u] ^ y[(corner >> 1) & 1u]] ^ z[corner >> 2]];
+        const double w = corner < 4 ? near[corner] : far[corner - 4];
+        const Quad factors = (place - corner_offsets[corner]) * Quad{w, w, w, w};
+        Quad* sums = corner & 1u ? odd : even;
+#pragma GCC unroll 3
+        for (int i = 0; i < Count; ++i) {
+            Quad values;
+            std::memcpy(&values, value_table.data() + key + 4 * i, sizeof values);
+            sums[i] += values * factors;
+        }
+    }
+#pragma GCC unroll 3
+    for (int i = 0; i < Count; ++i) {
+        const Quad sum = even[i] + odd[i];
+        out[i] = (sum[0] + sum[2]) + (sum[1] + sum[3]);
     }
 }
 
-template <int Offset>
-inline double sum_of(const Corners& c) {
-    Pair sum{0.0, 0.0};
-#pragma GCC unroll 8
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        sum += load_pair(c.values[corner] + Offset) * c.half_x[corner] +
-               load_pair(c.values[corner] + Offset + 2) * c.y_z[corner];
-    }
-    return sum[0] + sum[1];
+RB_INLINE double clamp01(double v) { return std::min(std::max(v, 0.0), 1.0); }
+
+RB_INLINE double lattice_noise(const Vec3& p) {
+    double value[1];
+    lattice_noises(p, value);
+    return value[0];
 }
 
-inline double clamp01(double v) { return std::min(std::max(v, 0.0), 1.0); }
-
-inline double lattice_noise(const Vec3& p) {
-    Corners corners;
-    corners_of(p, corners);
-    return sum_of<0>(corners);
+RB_INLINE Vec3 vector_noise_here(const Vec3& p) {
+    double value[3];
+    lattice_noises(p, value);
+    return {value[0], value[1], value[2]};
 }
 
-inline double gradient_noise(const Vec3& p, const GradientTables& tables) {
+RB_INLINE double gradient_noise(const Vec3& p, const GradientTables& tables) {
     constexpr uint32_t mask = GradientTables::size - 1;
     uint32_t b[3];
     double r[3];
@@ -114,20 +132,22 @@ inline double gradient_noise(const Vec3& p, const GradientTables& tables) {
 
 /// One noise function per generator, so that loops over octaves do not ask which one.
 struct Original {
-    double operator()(const Vec3& p) const { return clamp01(lattice_noise(p) + 0.5); }
+    RB_INLINE double operator()(const Vec3& p) const { return clamp01(lattice_noise(p) + 0.5); }
 };
 struct RangeCorrected {
-    double operator()(const Vec3& p) const { return clamp01((lattice_noise(p) + 1.05242) * 0.48985582); }
+    RB_INLINE double operator()(const Vec3& p) const {
+        return clamp01((lattice_noise(p) + 1.05242) * 0.48985582);
+    }
 };
 struct Gradient {
     const GradientTables& tables = gradient_tables();
-    double operator()(const Vec3& p) const {
+    RB_INLINE double operator()(const Vec3& p) const {
         return clamp01(0.5 * (1.59 * gradient_noise(p, tables) + 0.985));
     }
 };
 
 template <class F>
-auto with_generator(int generator, F&& use) {
+RB_INLINE auto with_generator(int generator, F&& use) {
     if (generator == 2) return use(RangeCorrected{});
     if (generator == 3) return use(Gradient{});
     return use(Original{});
@@ -135,52 +155,51 @@ auto with_generator(int generator, F&& use) {
 
 }  // namespace
 
-double noise(const Vec3& p, int generator) {
-    return with_generator(generator, [&](const auto& field) { return field(p); });
+RB_FOR_EACH_TARGET double noise(const Vec3& p, int generator) {
+    return with_generator(
+        generator, [&](const auto& field) __attribute__((always_inline)) { return field(p); });
 }
 
-void noise(std::span<const Vec3> points, int generator, std::span<double> values) {
-    with_generator(generator, [&](const auto& field) {
-        for (size_t i = 0; i < points.size(); ++i) values[i] = field(points[i]);
-    });
+RB_FOR_EACH_TARGET void noise(std::span<const Vec3> points, int generator, std::span<double> values) {
+    with_generator(
+        generator, [&](const auto& field) __attribute__((always_inline)) {
+            for (size_t i = 0; i < points.size(); ++i) values[i] = field(points[i]);
+        });
 }
 
-Vec3 vector_noise(const Vec3& p) {
-    Corners corners;
-    corners_of(p, corners);
-    return {sum_of<0>(corners), sum_of<4>(corners), sum_of<8>(corners)};
-}
+RB_FOR_EACH_TARGET Vec3 vector_noise(const Vec3& p) { return vector_noise_here(p); }
 
 int octave_count(const TurbulenceWarp& shape) { return std::clamp(shape.octaves, 1, 10); }
 
-double turbulence(const Vec3& p, const TurbulenceWarp& shape, int generator) {
+RB_FOR_EACH_TARGET double turbulence(const Vec3& p, const TurbulenceWarp& shape, int generator) {
     const int octaves = octave_count(shape);
     const double lambda = shape.lambda;
     const double omega = shape.omega;
     const bool centered = generator > 1;
-    return with_generator(generator, [&](const auto& field) {
-        double value = field(p);
-        if (centered) value = clamp01(2.0 * value - 0.5);
-        double scale = lambda;
-        double weight = omega;
-        for (int octave = 2; octave <= octaves; ++octave) {
-            double q = field(scale * p);
-            if (centered) q = 2.0 * q - 0.5;
-            value += weight * q;
-            scale *= lambda;
-            weight *= omega;
-        }
-        return value;
-    });
+    return with_generator(
+        generator, [&](const auto& field) __attribute__((always_inline)) {
+            double value = field(p);
+            if (centered) value = clamp01(2.0 * value - 0.5);
+            double scale = lambda;
+            double weight = omega;
+            for (int octave = 2; octave <= octaves; ++octave) {
+                double q = field(scale * p);
+                if (centered) q = 2.0 * q - 0.5;
+                value += weight * q;
+                scale *= lambda;
+                weight *= omega;
+            }
+            return value;
+        });
 }
 
-Vec3 vector_turbulence(const Vec3& p, const TurbulenceWarp& shape) {
+RB_FOR_EACH_TARGET Vec3 vector_turbulence(const Vec3& p, const TurbulenceWarp& shape) {
     const int octaves = octave_count(shape);
-    Vec3 value = vector_noise(p);
+    Vec3 value = vector_noise_here(p);
     double scale = shape.lambda;
     double weight = shape.omega;
     for (int octave = 2; octave <= octaves; ++octave) {
-        value += weight * vector_noise(scale * p);
+        value += weight * vector_noise_here(scale * p);
         scale *= static_cast<double>(shape.lambda);
         weight *= static_cast<double>(shape.omega);
     }

@@ -10,6 +10,11 @@ namespace rb {
 PatternField::PatternField(PatternPtr pattern, const PatternModifiers& modifiers,
                            const PatternSettings& settings)
     : pattern_(std::move(pattern)), modifiers_(modifiers), settings_(settings) {
+    if (pattern_) {
+        if (auto ready = pattern_->prepared(settings.noise_generator, settings.number_of_waves)) {
+            pattern_ = std::move(ready);
+        }
+    }
     warp_count_ = modifiers_.warps.size();
     const TurbulenceWarp* classic = modifiers_.classic_turbulence();
     if (classic) {

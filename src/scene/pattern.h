@@ -104,6 +104,11 @@ public:
     virtual bool takes_default_map() const { return true; }
     /// True if it asks for PatternContext::surface.
     virtual bool needs_surface() const { return false; }
+    /// A version made ready for rendering under these settings (nested pigments compiled), or null if this
+    /// one will do.
+    virtual std::shared_ptr<const Pattern> prepared(int /*noise_generator*/, int /*number_of_waves*/) const {
+        return nullptr;
+    }
     virtual std::string describe() const { return std::string(keyword()); }
 };
 using PatternPtr = std::shared_ptr<const Pattern>;

@@ -1,5 +1,6 @@
 #include "shade/direct_light.h"
 
+#include "shade/area_sampler.h"
 #include "shade/random.h"
 
 #include <cmath>
@@ -74,10 +75,12 @@ Rgb DirectLight::from_area(const FinishProgram& finish, size_t light, const LitR
     if (is_black(arrived)) return Rgb(0.0f);
     const AreaGrid& grid = source.light().area;
     const Rgb per_sample = arrived / static_cast<float>(source.sample_count());
+    Scratch::Scope scratch(thread_scratch());
+    const AreaSampler sampler(source, light, state_.ray_of(hit).seed, way.direction, 1, scratch);
     Rgb sum(0.0f);
     for (int v = 0; v < grid.size2; ++v) {
         for (int u = 0; u < grid.size1; ++u) {
-            const Vec3 offset = shadows_.grid_offset(light, hit, u, v, way.direction, 1);
+            const Vec3 offset = sampler.offset(u, v);
             const LightVector ray = source.toward(hit.point, offset);
             LightMeeting meeting{ray.direction, Rgb(1.0f), false, !source.is_shadowless()};
             if (!hit.double_illuminate && glm::dot(row.place.normal, ray.direction) < facing_limit) {

@@ -15,35 +15,4 @@ inline uint64_t mixed(uint64_t seed, uint64_t purpose) {
 /// In [0, 1).
 inline double unit_random(uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
-/// Place of `i` in a pseudo-random order of 0..length-1 (Kensler, "Correlated Multi-Jittered Sampling").
-inline uint32_t permuted(uint32_t i, uint32_t length, uint32_t pattern) {
-    uint32_t mask = length - 1;
-    mask |= mask >> 1;
-    mask |= mask >> 2;
-    mask |= mask >> 4;
-    mask |= mask >> 8;
-    mask |= mask >> 16;
-    do {
-        i ^= pattern;
-        i *= 0xe170893du;
-        i ^= pattern >> 16;
-        i ^= (i & mask) >> 4;
-        i ^= pattern >> 8;
-        i *= 0x0929eb3fu;
-        i ^= pattern >> 23;
-        i ^= (i & mask) >> 1;
-        i *= 1 | pattern >> 27;
-        i *= 0x6935fa69u;
-        i ^= (i & mask) >> 11;
-        i *= 0x74dcb303u;
-        i ^= (i & mask) >> 2;
-        i *= 0x9e501cc3u;
-        i ^= (i & mask) >> 2;
-        i *= 0xc860a3dfu;
-        i &= mask;
-        i ^= i >> 5;
-    } while (i >= length);
-    return (i + pattern) % length;
-}
-
 }  // namespace rb

@@ -66,16 +66,20 @@ void RayStream::intersect() {
         query.ray = ray.ray;
         query.mask = ray.reflected ? seen_by_reflection : seen_by_image;
         query.origin_leaf = ray.origin_leaf;
+        query.origin_part = ray.origin_part;
         query.origin_error = ray.origin_error;
         Hit hit;
-        if (!program_.geometry.closest(query, hit) || !add_hit(i, hit)) misses[miss_count++] = i;
+        if (program_.geometry.closest(query, hit)) {
+            add_hit(i, hit);
+        } else {
+            misses[miss_count++] = i;
+        }
     }
     shade_sky(misses.first(miss_count));
 }
 
-bool RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
+void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     const PathRay& ray = state_.rays[ray_index];
-    const SurfaceProgram& surface = program_.surface_of(hit.leaf);
     HitPoint point;
     point.point = hit.point;
     point.direction = ray.ray.direction;
@@ -85,18 +89,28 @@ bool RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     point.error = hit.error;
     point.ray = ray_index;
     point.leaf = hit.leaf;
-    point.texture = from_inside ? surface.interior_texture : surface.texture;
-    point.interior = surface.interior;
-    point.double_illuminate = surface.double_illuminate;
+    point.part = hit.crossing.part;
     point.weight = ray.weight;
     point.alpha = ray.alpha;
     pass_fog(ray, hit.t, point.weight, point.alpha);
-    state_.hits.push_back(point);
-    if (surface.uv_mapping || program_.textures[point.texture].needs_surface) {
+
+    std::array<SurfaceWeight, 3> worn;
+    const int count = program_.geometry.surfaces_at(hit, worn);
+    for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
+        if (count > 1 && worn[i].weight < program_.world.settings.adc_bailout) continue;
+        const SurfaceProgram& surface = program_.surfaces[worn[i].surface];
+        HitPoint part = point;
+        part.texture = from_inside ? surface.interior_texture : surface.texture;
+        part.interior = surface.interior;
+        part.uv_mapping = surface.uv_mapping;
+        part.double_illuminate = surface.double_illuminate;
+        part.weight *= worn[i].weight;
+        part.alpha *= worn[i].weight;
+        state_.hits.push_back(part);
+        if (!surface.uv_mapping && !program_.textures[part.texture].needs_surface) continue;
         state_.uv.resize(std::max(state_.uv.size(), state_.hits.size()));
         state_.uv[state_.hits.size() - 1] = program_.geometry.uv(hit);
     }
-    return true;
 }
 
 bool RayStream::in_the_open(InteriorList inside) const {

@@ -14,7 +14,7 @@ private:
     void start(std::span<const CameraRay> rays);
     void run_wave();
     void intersect();
-    bool add_hit(uint32_t ray_index, const Hit& hit);
+    void add_hit(uint32_t ray_index, const Hit& hit);
     void shade_sky(std::span<const uint32_t> misses);
     void shade_hits();
     void fill_samples();

@@ -79,6 +79,7 @@ PathRay SecondaryRays::child_of(const HitPoint& hit, uint64_t purpose) const {
     PathRay ray = parent;
     ray.ray.origin = hit.point;
     ray.origin_leaf = hit.leaf;
+    ray.origin_part = hit.part;
     ray.origin_error = hit.error;
     ray.weight = hit.weight;
     ray.alpha = hit.alpha;

@@ -16,7 +16,9 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
     options.quality = std::clamp(options.quality, 0, 9);
     add_surfaces();
     add_lights();
-    filters_shadows = geometry.has(filters_light);
+    for (const SurfaceMask kind : {blocks_light, filters_light}) {
+        if (geometry.has(kind)) shadow_mask |= kind;
+    }
     if (tracks_interiors) camera_interiors = geometry.interiors_at(world.camera.location);
 }
 

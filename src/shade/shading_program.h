@@ -34,7 +34,7 @@ struct ShadingProgram {
     SkyProgram sky;
     FogProgram fog;
 
-    bool filters_shadows = false;  ///< some shadow ray may meet a surface that lets light through
+    uint8_t shadow_mask = 0;  ///< which kinds of leaves shadow rays can meet at all
     bool tracks_interiors = false;
     std::vector<uint32_t> camera_interiors;
 

@@ -1,6 +1,6 @@
 #include "shade/shadow.h"
 
-#include "shade/random.h"
+#include "shade/area_sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,16 +84,24 @@ Rgb ShadowTracer::along(const HitPoint& hit, const LightVector& way, Rgb color, 
     const double t_max = shadow_reach(way.distance);
     if (!(t_max > 0.0)) return color;
     ++state_.counters.shadow;
-    const RayQuery query{{hit.point, way.direction}, t_max, blocks_light, hit.leaf, hit.error};
-    if (program_.geometry.occluded(query, blocker)) return Rgb(0.0f);
-    return program_.filters_shadows ? filtered(hit, way, t_max, color) : color;
+    RayQuery query = StreamState::query_from(hit, way.direction, t_max, program_.shadow_mask);
+    if (!program_.geometry.occluded(query, blocker)) return color;
+    if (program_.geometry.leaf(blocker).mask & blocks_light) return Rgb(0.0f);
+    // Something clear is in the way; whatever is opaque behind or before it decides first.
+    query.mask = blocks_light;
+    uint32_t opaque_blocker = no_leaf;
+    if (program_.geometry.has(blocks_light) && program_.geometry.occluded(query, opaque_blocker)) {
+        blocker = opaque_blocker;
+        return Rgb(0.0f);
+    }
+    return filtered(hit, way, t_max, color);
 }
 
 Rgb ShadowTracer::filtered(const HitPoint& from, const LightVector& way, double t_max, Rgb color) {
     const auto view = state_.interiors.view(state_.ray_of(from).inside);
     thread_local std::vector<uint32_t> inside;
     inside.assign(view.begin(), view.end());
-    RayQuery query{{from.point, way.direction}, t_max, filters_light, from.leaf, from.error};
+    RayQuery query = StreamState::query_from(from, way.direction, t_max, filters_light);
     Hit hit;
     while (program_.geometry.closest(query, hit)) {
         color *= filter_of(hit, way.direction, hit.t, inside);
@@ -109,6 +117,7 @@ Rgb ShadowTracer::filtered(const HitPoint& from, const LightVector& way, double 
         if (!(query.t_max > 0.0)) break;
         query.ray.origin = hit.point;
         query.origin_leaf = hit.leaf;
+        query.origin_part = hit.crossing.part;
         query.origin_error = hit.error;
     }
     return color;
@@ -116,66 +125,53 @@ Rgb ShadowTracer::filtered(const HitPoint& from, const LightVector& way, double 
 
 Rgb ShadowTracer::filter_of(const Hit& hit, const Vec3& direction, double segment,
                             std::span<const uint32_t> inside) {
-    const SurfaceProgram& surface = program_.surface_of(hit.leaf);
-    const bool from_inside = glm::dot(hit.normal, direction) > 0.0;
-    const TextureProgram& texture =
-        program_.textures[from_inside ? surface.interior_texture : surface.texture];
-    const Vec3 normal = from_inside ? -hit.normal : hit.normal;
-    const Interior& interior = program_.world.interiors[surface.interior].interior;
-
-    Vec2 uv{0.0};
-    if (surface.uv_mapping || texture.needs_surface) uv = program_.geometry.uv(hit);
-    const Vec3 point = surface.uv_mapping ? Vec3{uv.x, uv.y, 0.0} : hit.point;
-    const SurfaceSamples samples{{&hit.point, 1}, {&normal, 1}, {&direction, 1}, {&uv, 1}};
-    constexpr uint32_t row = 0;
-    Rgb filter = texture_filter(texture, {{&point, 1}, &samples, {&row, 1}}, normal, direction,
-                                interior.caustics * 45.0);
-    const bool leaves = std::find(inside.begin(), inside.end(), surface.interior) != inside.end();
+    std::array<SurfaceWeight, 3> worn;
+    const int count = program_.geometry.surfaces_at(hit, worn);
+    Rgb filter(0.0f);
+    for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
+        filter += worn[i].weight * surface_filter(program_.surfaces[worn[i].surface], hit, direction);
+    }
+    const uint32_t own = program_.surface_of(hit.leaf).interior;
+    const Interior& interior = program_.world.interiors[own].interior;
+    const bool leaves = std::find(inside.begin(), inside.end(), own) != inside.end();
     if (leaves && interior.fade_power > 0.0 && std::abs(interior.fade_distance) > 1e-10) {
         filter *= interior_fade(interior, segment);
     }
     return filter;
 }
 
+Rgb ShadowTracer::surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction) {
+    const bool from_inside = glm::dot(hit.normal, direction) > 0.0;
+    const TextureProgram& texture =
+        program_.textures[from_inside ? surface.interior_texture : surface.texture];
+    const Vec3 normal = from_inside ? -hit.normal : hit.normal;
+    Vec2 uv{0.0};
+    if (surface.uv_mapping || texture.needs_surface) uv = program_.geometry.uv(hit);
+    const Vec3 point = surface.uv_mapping ? Vec3{uv.x, uv.y, 0.0} : hit.point;
+    const SurfaceSamples samples{{&hit.point, 1}, {&normal, 1}, {&direction, 1}, {&uv, 1}};
+    constexpr uint32_t row = 0;
+    const double caustics = program_.world.interiors[surface.interior].interior.caustics * 45.0;
+    return texture_filter(texture, {{&point, 1}, &samples, {&row, 1}}, normal, direction, caustics);
+}
+
 /// One evaluation of an area light: every grid point is looked at once at most.
 struct ShadowTracer::Grid {
     size_t light;
     const HitPoint& hit;
-    const LightVector& to_center;
+    const AreaSampler& sampler;
     const Rgb& color;
     std::span<Rgb> arrived;
     std::span<uint8_t> known;
 };
-
-Vec3 ShadowTracer::grid_offset(size_t light, const HitPoint& hit, int u, int v, const Vec3& to_center,
-                               uint64_t salt) const {
-    const LightProgram& program = program_.lights[light];
-    const AreaGrid& grid = program.light().area;
-    double x = u;
-    double y = v;
-    if (grid.jitter) {
-        // Uniform over the cell as in the language, but multi-jittered: rows and columns of the grid share
-        // their strata (Kensler, "Correlated Multi-Jittered Sampling").
-        const uint64_t seed = mixed(state_.ray_of(hit).seed, 16 * light + salt);
-        const auto width = static_cast<uint32_t>(grid.size1);
-        const auto height = static_cast<uint32_t>(grid.size2);
-        const auto column = static_cast<uint32_t>(u);
-        const auto row = static_cast<uint32_t>(v);
-        const uint64_t draw = mixed(seed, static_cast<uint64_t>(row) * width + column);
-        const double fine_x = unit_random(draw);
-        const double fine_y = unit_random(mixed(draw, 1));
-        x += (permuted(row, height, static_cast<uint32_t>(seed)) + fine_x) / height - 0.5;
-        y += (permuted(column, width, static_cast<uint32_t>(seed >> 32)) + fine_y) / width - 0.5;
-    }
-    return program.area_offset(x, y, to_center);
-}
 
 Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector& to_center,
                             const Rgb& color) {
     const AreaGrid& area = program_.lights[light].light().area;
     Scratch::Scope memory(thread_scratch());
     const size_t count = program_.lights[light].sample_count();
-    Grid grid{light, hit, to_center, color, memory.take<Rgb>(count), memory.take<uint8_t>(count, uint8_t{0})};
+    const AreaSampler sampler(program_.lights[light], light, state_.ray_of(hit).seed, to_center.direction, 0,
+                              memory);
+    Grid grid{light, hit, sampler, color, memory.take<Rgb>(count), memory.take<uint8_t>(count, uint8_t{0})};
     return grid_cell(grid, 0, 0, area.size1 - 1, area.size2 - 1, 0);
 }
 
@@ -185,7 +181,7 @@ const Rgb& ShadowTracer::grid_point(Grid& grid, int u, int v) {
         static_cast<size_t>(v) * static_cast<size_t>(light.light().area.size1) + static_cast<size_t>(u);
     if (!grid.known[index]) {
         grid.known[index] = 1;
-        const Vec3 offset = grid_offset(grid.light, grid.hit, u, v, grid.to_center.direction, 0);
+        const Vec3 offset = grid.sampler.offset(u, v);
         uint32_t& blocker = state_.blockers[program_.first_sample[grid.light] + index];
         grid.arrived[index] = along(grid.hit, light.toward(grid.hit.point, offset), grid.color, blocker);
     }

@@ -12,15 +12,12 @@ public:
     /// compares colours, so they come with their attenuation.
     Rgb arriving(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color);
 
-    /// Offset of a grid sample, jittered if the light wants it; `salt` tells several uses of a light apart.
-    Vec3 grid_offset(size_t light, const HitPoint& hit, int u, int v, const Vec3& to_center,
-                     uint64_t salt) const;
-
 private:
     struct Grid;
     Rgb along(const HitPoint& hit, const LightVector& way, Rgb color, uint32_t& blocker);
     Rgb filtered(const HitPoint& hit, const LightVector& way, double t_max, Rgb color);
     Rgb filter_of(const Hit& hit, const Vec3& direction, double segment, std::span<const uint32_t> inside);
+    Rgb surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction);
     Rgb over_area(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color);
     const Rgb& grid_point(Grid& grid, int u, int v);
     Rgb grid_cell(Grid& grid, int u1, int v1, int u2, int v2, int level);

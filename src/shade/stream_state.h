@@ -33,6 +33,7 @@ struct PathRay {
     Ray ray;
     double origin_error = 0;
     uint32_t origin_leaf = no_leaf;
+    uint32_t origin_part = any_part;
     uint32_t slot = 0;     ///< where its light is added up
     Rgb weight{1.0f};      ///< factor for its light
     float alpha = 1;       ///< factor for its transmit
@@ -55,6 +56,8 @@ struct HitPoint {
     double error = 0;
     uint32_t ray = 0;  ///< index into the wave
     uint32_t leaf = no_leaf;
+    uint32_t part = any_part;
+    bool uv_mapping = false;
     uint32_t texture = 0;
     uint32_t interior = 0;
     bool double_illuminate = false;
@@ -91,6 +94,13 @@ struct StreamState {
     std::vector<Vec3> directions;
     std::vector<Vec2> uv;
     SurfaceSamples samples() const { return {points, seen_normals, directions, uv}; }
+
+    /// From a hit along a direction.
+    static RayQuery query_from(const HitPoint& hit, const Vec3& direction, double t_max, uint8_t mask) {
+        RayQuery query{{hit.point, direction}, t_max, mask, hit.leaf, hit.error};
+        query.origin_part = hit.part;
+        return query;
+    }
 
     const PathRay& ray_of(const HitPoint& hit) const { return rays[hit.ray]; }
 };

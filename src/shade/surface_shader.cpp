@@ -34,7 +34,7 @@ void SurfaceShader::shade(const TextureProgram& texture, std::span<const uint32_
         const HitPoint& hit = state_.hits[hits[i]];
         roots[i] = static_cast<uint32_t>(i);
         points[i] = hit.point;
-        if (program_.surface_of(hit.leaf).uv_mapping) {
+        if (hit.uv_mapping) {
             const Vec2& uv = state_.uv[hits[i]];
             points[i] = {uv.x, uv.y, 0.0};
         }
