@@ -78,7 +78,7 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     CLI::App app{"Renders POV-Ray 3.7 scenes.", "renderboy"};
     app.footer(std::string(footer));
     app.allow_extras();
-    app.set_help_flag("--help,-help", "this text");
+    app.set_help_flag("--help", "this text");
 
     std::optional<std::string> output, size, quality, threads;
     bool version = false;
