@@ -1,3 +1,4 @@
+#include "app/animation.h"
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/picture.h"
@@ -32,7 +33,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-LoadOptions load_options(const Settings& settings, Console& console) {
+LoadOptions load_options(const Settings& settings, const Frame& frame, Console& console) {
     LoadOptions options;
     options.input_file = settings.input_file;
     if (settings.input_file == "-") {
@@ -47,8 +48,14 @@ LoadOptions load_options(const Settings& settings, Console& console) {
     options.include_header = settings.include_header;
     options.image_width = settings.width;
     options.image_height = settings.height;
-    options.clock = static_cast<double>(static_cast<float>(settings.clock));
-    options.clock_on = settings.clock_given;
+    options.clock = frame.clock;
+    options.clock_on = settings.clock_given || frame.digits > 0;
+    options.frame_number = frame.number;
+    options.initial_frame = frame.initial_frame;
+    options.final_frame = frame.final_frame;
+    options.initial_clock = frame.initial_clock;
+    options.final_clock = frame.final_clock;
+    options.clock_delta = frame.clock_delta;
     options.version = settings.version;
     options.message = [&console](std::string_view, std::string_view text) {
         if (text.ends_with('\n')) text.remove_suffix(1);
@@ -124,7 +131,8 @@ bool load(const LoadOptions& options, Console& console, SourceMap& sources, Diag
     return loaded;
 }
 
-void write_picture(const RenderResult& result, const Scene& scene, const Settings& settings) {
+void write_picture(const RenderResult& result, const Scene& scene, const Settings& settings,
+                   const Frame& frame) {
     const auto& assumed = scene.settings.assumed_gamma;
     OutputFormat format;
     format.type = settings.file_type;
@@ -132,19 +140,14 @@ void write_picture(const RenderResult& result, const Scene& scene, const Setting
     format.compression = settings.compression;
     if (assumed)
         format.curve = is_linear(settings.file_type) ? Curve(GammaCurve{1.0}) : Curve(settings.file_gamma);
-    write_image(picture_of(result.film, assumed, settings), format, output_path(settings));
+    const std::string number = frame.digits > 0 ? fmt::format("{:0{}}", frame.number, frame.digits) : "";
+    write_image(picture_of(result.film, assumed, settings), format, output_path(settings, number));
 }
 
-}  // namespace
-
-int run_render(const Settings& settings) {
-    Console console(settings.verbose);
-    for (const std::string& text : settings.without_effect) console.line(fmt::format("warning: {}", text));
+/// Reads, compiles, renders and writes one picture.
+int render_frame(const Settings& settings, const Frame& frame, Console& console) {
     const RenderOptions options = render_options(settings);
-    const LoadOptions loading = load_options(settings, console);
-    if (settings.dump != DumpStage::none) return dump_stage(settings, loading);
-    std::signal(SIGINT, on_signal);
-    std::signal(SIGTERM, on_signal);
+    const LoadOptions loading = load_options(settings, frame, console);
 
     Statistics statistics;
     auto start = std::chrono::steady_clock::now();
@@ -172,11 +175,30 @@ int run_render(const Settings& settings) {
     statistics.render_seconds = seconds_since(start);
 
     start = std::chrono::steady_clock::now();
-    if (settings.output_to_file) write_picture(result, scene, settings);
+    if (settings.output_to_file) write_picture(result, scene, settings, frame);
     statistics.write_seconds = seconds_since(start);
     if (settings.stats_file) write_statistics(statistics, world, result, settings);
-    console.line(result.complete ? "POV-Ray finished\n" : "Render cancelled by user\n");
     return result.complete ? exit_done : exit_stopped;
+}
+
+}  // namespace
+
+int run_render(const Settings& settings) {
+    Console console(settings.verbose);
+    for (const std::string& text : settings.without_effect) console.line(fmt::format("warning: {}", text));
+    const std::vector<Frame> frames = frames_of(settings);
+    if (settings.dump != DumpStage::none)
+        return dump_stage(settings, load_options(settings, frames.front(), console));
+    stop_requested.store(false);
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+    for (const Frame& frame : frames) {
+        const int code = render_frame(settings, frame, console);
+        if (code == exit_stopped) console.line("Render cancelled by user\n");
+        if (code != exit_done) return code;
+    }
+    console.line("POV-Ray finished\n");
+    return exit_done;
 }
 
 int run(const std::vector<std::string>& arguments) {

@@ -41,21 +41,19 @@ PixelBlock region_of(const Settings& settings) {
     return region;
 }
 
-std::string output_path(const Settings& settings) {
+std::string output_path(const Settings& settings, const std::string& number) {
     namespace fs = std::filesystem;
-    const std::string extension(extension_of(settings.file_type));
+    const std::string ending = number + std::string(extension_of(settings.file_type));
     const fs::path scene(settings.input_file == "-" ? "stdin" : settings.input_file);
-    if (settings.output_file.empty()) {
-        return (scene.parent_path() / scene.stem()).string() + extension;
-    }
-    if (settings.output_file == "-" || settings.output_file == "stdout") return "-";
-    if (settings.output_file.back() == '/') {
-        return (fs::path(settings.output_file) / scene.stem()).string() + extension;
-    }
+    const std::string& name = settings.output_file;
+    if (name.empty()) return (scene.parent_path() / scene.stem()).string() + ending;
+    if (name == "-" || name == "stdout") return "-";
+    if (name.back() == '/') return (fs::path(name) / scene.stem()).string() + ending;
     // An extension of the chosen type stays; any other is taken as part of the name.
-    const auto own = file_type_for(settings.output_file);
-    const bool keeps = own && extension_of(*own) == extension;
-    return keeps ? settings.output_file : settings.output_file + extension;
+    const auto own = file_type_for(name);
+    const bool keeps = own && extension_of(*own) == extension_of(settings.file_type);
+    if (!keeps) return name + ending;
+    return number.empty() ? name : (fs::path(name).parent_path() / fs::path(name).stem()).string() + ending;
 }
 
 }  // namespace rb

@@ -40,7 +40,7 @@ struct Settings {
     RegionSide start_column, end_column, start_row, end_row;
     int quality = 9;
     bool antialias = false;
-    AntialiasOptions antialias_options;  ///< `method` holds Sampling_Method also while antialias is off
+    AntialiasOptions antialias_options{.method = 1};  ///< Sampling_Method counts only while antialias is on
     bool jitter = true;
     double jitter_amount = 1.0;
     int block_size = 32;
@@ -60,8 +60,8 @@ struct Settings {
     bool clock_given = false;
     double initial_clock = 0;
     double final_clock = 1;
-    int initial_frame = 0;
-    int final_frame = 0;
+    int initial_frame = 1;
+    int final_frame = 1;
     double subset_start_frame = 0;
     double subset_end_frame = 0;
     int frame_step = 1;
@@ -83,7 +83,8 @@ struct Settings {
 /// does.
 PixelBlock region_of(const Settings& settings);
 
-/// Where the picture goes: +O rules of language spec 23.7; "-" is standard output.
-std::string output_path(const Settings& settings);
+/// Where the picture goes: +O rules of language spec 23.7; "-" is standard output. `number` stands before the
+/// extension.
+std::string output_path(const Settings& settings, const std::string& number);
 
 }  // namespace rb

@@ -80,7 +80,7 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
         KdOptions options;
         options.block = 1;
         options.traversal_cost = 0.4;
-        p.tree = KdTree(boxes, options);
+        p.tree = KdTree(std::move(boxes), options);
     }
     return geometry;
 }

@@ -46,9 +46,13 @@ constexpr double empty_bonus = 0.8;
 /// [left only | both | both again | right only], so a level costs only its duplicates.
 class KdBuilder {
 public:
-    KdBuilder(KdTree& tree, const std::vector<BoxF>& boxes, const KdOptions& options,
+    KdBuilder(KdTree& tree, std::vector<BoxF> boxes, const KdOptions& options,
               const KdTree::Clip& clip)
         : tree_(tree), options_(options), clip_(clip) {
+        for (size_t n = 0; n < block_costs_.size(); ++n) {
+            const auto w = static_cast<size_t>(options.block);
+            block_costs_[n] = options.element_cost * static_cast<double>((n + w - 1) / w);
+        }
         BoxF hull = empty_box;
         references_.reserve(boxes.size() + boxes.size() / 4);
         for (uint32_t i = 0; i < boxes.size(); ++i) {
@@ -57,20 +61,20 @@ public:
             include(hull, boxes[i]);
         }
         if (references_.empty()) return;
+        boxes = {};
         const auto n = static_cast<double>(references_.size());
-        most_references_ = static_cast<size_t>(options.most_references * n) + 4096;
         const int depth = options.depth >= 0 ? options.depth : static_cast<int>(8.0 + 1.3 * std::log2(n));
         tree_.bounds_ = widened(hull);
         tree_.nodes_.emplace_back();
-        build(0, 0, hull, hull, std::min(depth, 60), 0);
+        build(0, 0, hull, hull, {std::min(depth, 60), 0, options.most_references * n + 4096.0});
         tree_.nodes_.shrink_to_fit();
         tree_.references_.shrink_to_fit();
     }
 
 private:
     double block_cost(size_t n) const {
-        const auto w = static_cast<size_t>(options_.block);
-        return options_.element_cost * static_cast<double>((n + w - 1) / w);
+        if (n < block_costs_.size()) return block_costs_[n];
+        return options_.element_cost / options_.block * static_cast<double>(n);
     }
 
     void make_leaf(uint32_t node, size_t begin) {
@@ -82,15 +86,22 @@ private:
         tree_.nodes_[node] = {first, static_cast<uint32_t>(count) << 2 | 3u};
     }
 
-    void build(uint32_t node, size_t begin, const BoxF& cell, const BoxF& hull, int depth, int bad_refines) {
+    /// What is left of the bounds on the way down.
+    struct Allowance {
+        int depth;
+        int bad_refines;
+        double references;  ///< that the subtree may make: a bound on duplicates that acts everywhere alike
+    };
+
+    void build(uint32_t node, size_t begin, const BoxF& cell, const BoxF& hull, Allowance allowance) {
         const size_t n = references_.size() - begin;
-        const bool may_grow = tree_.references_.size() + references_.size() < most_references_;
-        if (n == 0 || depth == 0 || !may_grow) return make_leaf(node, begin);
+        if (n == 0 || allowance.depth == 0 || static_cast<double>(n) >= allowance.references) {
+            return make_leaf(node, begin);
+        }
         const double leaf_cost = block_cost(n);
-        const Split split = static_cast<int>(n) < options_.sweep_below ? best_swept(begin, cell, hull)
-                                                                       : best_binned(begin, cell, hull);
-        if (split.cost >= leaf_cost) ++bad_refines;
-        if (split.axis < 0 || bad_refines > most_bad_refines || (split.cost > 4.0 * leaf_cost && n < 16) ||
+        const Split split = best_split(begin, cell, hull);
+        if (split.cost >= leaf_cost) ++allowance.bad_refines;
+        if (split.axis < 0 || allowance.bad_refines > most_bad_refines || (split.cost > 4.0 * leaf_cost && n < 16) ||
             (n <= static_cast<size_t>(options_.block) && split.cost >= leaf_cost)) {
             return make_leaf(node, begin);
         }
@@ -106,8 +117,14 @@ private:
         tree_.nodes_.resize(tree_.nodes_.size() + 2);
         tree_.nodes_[node] = {std::bit_cast<uint32_t>(split.plane),
                               low << 2 | static_cast<uint32_t>(split.axis)};
-        build(low + 1, middle, high_cell, high_hull, depth - 1, bad_refines);
-        build(low, begin, low_cell, low_hull, depth - 1, bad_refines);
+        const auto n_high = static_cast<double>(references_.size() - middle);
+        const auto n_low = static_cast<double>(middle - begin);
+        --allowance.depth;
+        const double share = allowance.references / std::max(n_low + n_high, 1.0);
+        allowance.references = share * n_high;
+        build(low + 1, middle, high_cell, high_hull, allowance);
+        allowance.references = share * n_low;
+        build(low, begin, low_cell, low_hull, allowance);
     }
 
     /// Cuts a straddling reference down to a child's cell; false if nothing of it is left there.
@@ -149,7 +166,7 @@ private:
                 ++i;
             }
         }
-        // Now [low | both | high]; both may lose references on either side when they are cut exactly.
+        // Now [low | both | high]; a straddling one may turn out to be on one side only when it is cut exactly.
         for (size_t i = low_end; i < high_begin; ++i) straddling_.push_back(references_[i]);
         const size_t high_count = references_.size() - high_begin;
         right_.assign(references_.begin() + static_cast<std::ptrdiff_t>(high_begin), references_.end());
@@ -170,64 +187,80 @@ private:
         return middle;
     }
 
-    void consider(Split& best, const BoxF& cell, double inverse_area, int axis, float plane, size_t n_low,
-                  size_t n_high) const {
-        if (!(plane > cell.lo[axis] && plane < cell.hi[axis])) return;
-        BoxF low = cell;
-        BoxF high = cell;
-        low.hi[axis] = plane;
-        high.lo[axis] = plane;
-        double cost = options_.traversal_cost + inverse_area * (half_area(low) * block_cost(n_low) +
-                                                                half_area(high) * block_cost(n_high));
-        if (n_low == 0 || n_high == 0) cost *= empty_bonus;
-        if (cost < best.cost) best = {cost, axis, plane};
+    /// The planes of one axis: the children's areas are linear in the plane.
+    struct Axis {
+        int axis;
+        float lo, hi;
+        double base, rate;  ///< area of a slab of thickness x over the cell's: base + rate x
+    };
+    static Axis axis_of(const BoxF& cell, int axis) {
+        const int u = (axis + 1) % 3;
+        const int v = (axis + 2) % 3;
+        const double a = static_cast<double>(cell.hi[u]) - static_cast<double>(cell.lo[u]);
+        const double b = static_cast<double>(cell.hi[v]) - static_cast<double>(cell.lo[v]);
+        const double inverse = 1.0 / half_area(cell);
+        return {axis, cell.lo[axis], cell.hi[axis], a * b * inverse, (a + b) * inverse};
     }
 
+    void consider(Split& best, const Axis& axis, float plane, size_t n_low, size_t n_high) const {
+        if (!(plane > axis.lo && plane < axis.hi)) return;
+        const double low = axis.base + axis.rate * static_cast<double>(plane - axis.lo);
+        const double high = axis.base + axis.rate * static_cast<double>(axis.hi - plane);
+        double cost = options_.traversal_cost + low * block_cost(n_low) + high * block_cost(n_high);
+        if (n_low == 0 || n_high == 0) cost *= empty_bonus;
+        if (cost < best.cost) best = {cost, axis.axis, plane};
+    }
+
+    template <int bins>
     Split best_binned(size_t begin, const BoxF& cell, const BoxF& hull) const {
-        constexpr int bins = 32;
-        std::array<std::array<uint32_t, bins>, 3> starts{};
-        std::array<std::array<uint32_t, bins>, 3> ends{};
-        std::array<float, 3> scale{};
-        for (size_t a = 0; a < 3; ++a) {
+        uint32_t starts[3][bins] = {};
+        uint32_t ends[3][bins] = {};
+        float scale[3];
+        for (int a = 0; a < 3; ++a) {
             const float width = hull.hi[a] - hull.lo[a];
-            scale[a] = width > 0.0f ? static_cast<float>(bins) / width : 0.0f;
+            // Just below the bin count, so that the far end falls into the last bin.
+            scale[a] = width > 0.0f ? (static_cast<float>(bins) * 0.99999f) / width : 0.0f;
             if (!(scale[a] < inf)) scale[a] = 0.0f;
         }
         for (size_t i = begin; i < references_.size(); ++i) {
             const BoxF& b = references_[i].box;
-            for (size_t a = 0; a < 3; ++a) {
-                const int s = static_cast<int>((b.lo[a] - hull.lo[a]) * scale[a]);
-                const int e = static_cast<int>((b.hi[a] - hull.lo[a]) * scale[a]);
-                ++starts[a][static_cast<size_t>(std::clamp(s, 0, bins - 1))];
-                ++ends[a][static_cast<size_t>(std::clamp(e, 0, bins - 1))];
+            for (int a = 0; a < 3; ++a) {
+                ++starts[a][static_cast<int>((b.lo[a] - hull.lo[a]) * scale[a])];
+                ++ends[a][static_cast<int>((b.hi[a] - hull.lo[a]) * scale[a])];
             }
         }
         const size_t n = references_.size() - begin;
-        const double inverse_area = 1.0 / half_area(cell);
         Split best;
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto a = static_cast<size_t>(axis);
-            consider(best, cell, inverse_area, axis, hull.lo[a], 0, n);
-            consider(best, cell, inverse_area, axis, hull.hi[a], n, 0);
+        for (int a = 0; a < 3; ++a) {
+            const Axis axis = axis_of(cell, a);
+            consider(best, axis, hull.lo[a], 0, n);
+            consider(best, axis, hull.hi[a], n, 0);
             if (scale[a] == 0.0f) continue;
+            const float width = 1.0f / scale[a];
             size_t n_low = 0;
             size_t n_high = n;
-            for (size_t k = 1; k < bins; ++k) {
+            for (int k = 1; k < bins; ++k) {
                 n_low += starts[a][k - 1];
                 n_high -= ends[a][k - 1];
-                const float plane = hull.lo[a] + static_cast<float>(k) / scale[a];
-                consider(best, cell, inverse_area, axis, plane, n_low, n_high);
+                consider(best, axis, hull.lo[a] + static_cast<float>(k) * width, n_low, n_high);
             }
         }
         return best;
     }
 
-    /// Every side of every box is a candidate: exact, for small nodes.
-    Split best_swept(size_t begin, const BoxF& cell, const BoxF&) {
+    Split best_split(size_t begin, const BoxF& cell, const BoxF& hull) {
         const size_t n = references_.size() - begin;
-        const double inverse_area = 1.0 / half_area(cell);
+        if (static_cast<int>(n) < options_.sweep_below) return best_swept(begin, cell);
+        if (n > 512) return best_binned<32>(begin, cell, hull);
+        return n > 32 ? best_binned<16>(begin, cell, hull) : best_binned<8>(begin, cell, hull);
+    }
+
+    /// Every side of every box is a candidate: exact, for small nodes.
+    Split best_swept(size_t begin, const BoxF& cell) {
+        const size_t n = references_.size() - begin;
         Split best;
         for (int axis = 0; axis < 3; ++axis) {
+            const Axis planes = axis_of(cell, axis);
             lows_.clear();
             highs_.clear();
             flats_.clear();
@@ -256,7 +289,7 @@ private:
                 while (lo < lows_.size() && lows_[lo] == plane) ++lo;
                 while (hi < highs_.size() && highs_[hi] == plane) ++hi;
                 while (flat < flats_.size() && flats_[flat] == plane) ++flat;
-                consider(best, cell, inverse_area, axis, plane, started + flat, n - hi - flat);
+                consider(best, planes, plane, started + flat, n - hi - flat);
             }
         }
         return best;
@@ -265,17 +298,17 @@ private:
     KdTree& tree_;
     const KdOptions& options_;
     const KdTree::Clip& clip_;
+    std::array<double, 128> block_costs_{};  ///< by element count; rounding to blocks matters for few
     std::vector<Reference> references_;
     std::vector<Reference> straddling_;
     std::vector<Reference> right_;
     std::vector<float> lows_;
     std::vector<float> highs_;
     std::vector<float> flats_;
-    size_t most_references_ = 0;
 };
 
-KdTree::KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip) {
-    KdBuilder(*this, boxes, options, clip);
+KdTree::KdTree(std::vector<BoxF> boxes, const KdOptions& options, const Clip& clip) {
+    KdBuilder(*this, std::move(boxes), options, clip);
 }
 
 }  // namespace rb

@@ -37,8 +37,8 @@ public:
     using Clip = std::function<Bounds(uint32_t element, const Bounds& cell)>;
 
     KdTree() = default;
-    /// `clip` may be empty.
-    KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip = {});
+    /// `clip` may be empty. A box with lo > hi leaves its element out.
+    KdTree(std::vector<BoxF> boxes, const KdOptions& options, const Clip& clip = {});
 
     bool is_empty() const { return nodes_.empty(); }
     const Bounds& bounds() const { return bounds_; }

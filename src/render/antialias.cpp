@@ -2,6 +2,7 @@
 
 #include "math/jitter.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <unordered_map>
@@ -256,8 +257,9 @@ private:
 
     Vec2 center_of(size_t pixel) const {
         const auto width = static_cast<size_t>(block_.width());
-        return {block_.x0 + static_cast<double>(pixel % width),
-                block_.y0 + static_cast<double>(pixel / width)};
+        const size_t column = pixel % width;
+        const size_t row = pixel / width;
+        return {block_.x0 + static_cast<double>(column), block_.y0 + static_cast<double>(row)};
     }
 
     /// The sample at lattice point (i, j) of a pixel, both 0..cells_; null and remembered as wanted if not
@@ -320,9 +322,10 @@ private:
         std::ranges::sort(wanted_, [](const Wanted& a, const Wanted& b) {
             return std::pair{a.pixel, a.key} < std::pair{b.pixel, b.key};
         });
-        const auto repeated = std::ranges::unique(
-            wanted_, [](const Wanted& a, const Wanted& b) { return a.pixel == b.pixel && a.key == b.key; });
-        wanted_.erase(repeated.begin(), repeated.end());
+        const auto same = [](const Wanted& a, const Wanted& b) {
+            return a.pixel == b.pixel && a.key == b.key;
+        };
+        wanted_.erase(std::unique(wanted_.begin(), wanted_.end(), same), wanted_.end());
         std::vector<Vec2> positions;
         positions.reserve(wanted_.size());
         const double amount = options_.jitter / ((1 << options_.depth) + 1);

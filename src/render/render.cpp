@@ -29,8 +29,7 @@ void add(RayCounters& sum, const RayCounters& part) {
 
 RenderResult render(const World& world, const RenderOptions& options, const std::atomic<bool>& stop,
                     const std::function<void(size_t, size_t)>& progress) {
-    const PixelBlock all{0, 0, options.width, options.height};
-    const PixelBlock& region = options.region.width() > 0 ? options.region : all;
+    const PixelBlock& region = options.region;
     const size_t total = static_cast<size_t>(region.width()) * static_cast<size_t>(region.height());
 
     RenderResult result;

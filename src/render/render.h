@@ -25,7 +25,7 @@ struct Film {
 struct RenderOptions {
     int width = 160;
     int height = 120;
-    PixelBlock region;  ///< what to render; empty: all
+    PixelBlock region{0, 0, 160, 120};  ///< what to render
     int block_size = 32;
     int threads = 0;  ///< 0: all cores that this process may use
     AntialiasOptions antialias;

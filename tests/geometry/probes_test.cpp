@@ -110,6 +110,53 @@ TEST(Probes, P10DiscWithHole) {
     EXPECT_FALSE(o.inside({0, 0, 0}));
 }
 
+TEST(Probes, P12TriangleOrientation) {
+    Probe o("triangle{<0,0,0>,<1,0,0>,<0,1,0>}");
+    o.hits({.2, .2, -5}, z, {.2, .2, 0}, {0, 0, -1});
+    o.hits({.5, .5, -5}, z, {.5, .5, 0}, {0, 0, -1});
+}
+
+TEST(Probes, P13TriangleOrientation2) {
+    Probe("triangle{<0,0,0>,<0,1,0>,<1,0,0>}").hits({.2, .2, -5}, z, {.2, .2, 0}, {0, 0, 1});
+}
+
+TEST(Probes, P14TriangleTurnedByATransformation) {
+    // The reference turns it at any transformation; here the identity is none.
+    Probe o("triangle{<0,0,0>,<0,1,0>,<1,0,0> translate <0,0,1>}");
+    o.hits({.2, .2, -5}, z, {.2, .2, 1}, {0, 0, -1});
+}
+
+TEST(Probes, P15SmoothTriangle) {
+    Probe o("smooth_triangle{<0,0,0>,<-1,0,-1>,<1,0,0>,<1,0,-1>,<0,1,0>,<0,1,-1>}");
+    o.hits({.2, .1, -5}, z, {.2, .1, 0}, {-.4454354, .0890871, -.8908708});
+}
+
+TEST(Probes, P16SmoothTriangleRejected) {
+    Probe o("smooth_triangle{<0,0,0>,<-1,0,-1>,<1,0,0>,<1,0,1>,<0,1,0>,<0,1,-1>}");
+    o.misses({1. / 3, 1. / 3, -5}, z);
+}
+
+TEST(Probes, P17Mesh2Smooth) {
+    Probe o(
+        "mesh2{vertex_vectors{4,<0,0,0>,<1,0,0>,<1,1,0>,<0,1,0>} "
+        "normal_vectors{4,<-1,-1,-1>,<1,-1,-1>,<1,1,-1>,<-1,1,-1>} face_indices{2,<0,1,2>,<0,2,3>}}");
+    o.hits({.6, .2, -5}, z, {.6, .2, 0}, {.1690309, -.5070926, -.8451543});
+}
+
+TEST(Probes, P18Mesh2Solid) {
+    Probe o(
+        "mesh2{vertex_vectors{4,<0,0,0>,<1,0,0>,<0,1,0>,<0,0,1>} "
+        "face_indices{4,<0,1,2>,<0,1,3>,<0,2,3>,<1,2,3>} inside_vector <.3,.4,.5>}");
+    EXPECT_TRUE(o.inside({.1, .1, .1}));
+    EXPECT_FALSE(o.inside({1, 1, 1}));
+    o.hits({.1, .1, 5}, -z, {.1, .1, .8}, {-.5773503, -.5773503, -.5773503});
+}
+
+TEST(Probes, P55PatchInDifference) {
+    Probe o("difference{sphere{0,1} triangle{<-1,-1,0>,<1,-1,0>,<0,1,0>}}");
+    o.hits({0, 0, -5}, z, {0, 0, 0}, {0, 0, -1});
+}
+
 TEST(Probes, P50CoincidentBoxes) {
     Probe o("difference{box{0,1} box{0,1}}");
     o.hits({.3, .4, -5}, z, {.3, .4, 0}, {0, 0, 1});

@@ -100,6 +100,7 @@ TEST_P(Probes, MatchTheMeasuredValues) {
     RenderOptions options;
     options.width = p.width;
     options.height = p.height;
+    options.region = {0, 0, p.width, p.height};
     options.antialias = antialias_of(p.options);
     const std::atomic<bool> stop{false};
     const RenderResult result = render(world, options, stop, nullptr);

@@ -1,0 +1,216 @@
+#include "shapes/mesh_shape.h"
+
+#include "shapes/woop.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace rb {
+
+namespace {
+
+/// A face whose box is much larger than itself is worth cutting exactly at split planes.
+bool is_sliver(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+    const Vec3f size = glm::max(glm::max(a, b), c) - glm::min(glm::min(a, b), c);
+    const Vec3f n = glm::cross(b - a, c - a);
+    const float box = size.x * size.y + size.y * size.z + size.z * size.x;
+    return box * box > 4.0f * glm::dot(n, n);
+}
+
+}  // namespace
+
+MeshShape::MeshShape(std::string_view keyword, MeshData data, bool brute_force)
+    : keyword_(keyword), data_(std::move(data)), brute_force_(brute_force) {
+    for (const auto& face : data_.triangles.faces) {
+        for (const uint32_t v : face) bounds_.include(Vec3(data_.triangles.vertices[v]));
+    }
+    if (brute_force_) return;
+    KdOptions options;
+    options.block = 4;
+    options.traversal_cost = 1.0;
+    if (data_.triangles.faces.size() > 200000) options.sweep_below = 0;
+    if (getenv("KB")) options.block = atoi(getenv("KB"));
+    if (getenv("KT")) options.traversal_cost = atof(getenv("KT"));
+    if (getenv("KS")) options.sweep_below = atoi(getenv("KS"));
+    std::vector<bool> slivers;
+    std::vector<BoxF> boxes = face_boxes(slivers);
+    KdTree::Clip clip;
+    if (std::find(slivers.begin(), slivers.end(), true) != slivers.end()) {
+        clip = [&](uint32_t face, const Bounds& cell) {
+            if (!slivers[face]) return cell;
+            return clipped_triangle(vertex(face, 0), vertex(face, 1), vertex(face, 2), cell);
+        };
+    }
+    tree_ = KdTree(std::move(boxes), options, clip);
+}
+
+std::vector<BoxF> MeshShape::face_boxes(std::vector<bool>& slivers) const {
+    std::vector<BoxF> boxes;
+    const auto& faces = data_.triangles.faces;
+    boxes.reserve(faces.size());
+    slivers.resize(faces.size());
+    for (size_t i = 0; i < faces.size(); ++i) {
+        const Vec3f& a = data_.triangles.vertices[faces[i][0]];
+        const Vec3f& b = data_.triangles.vertices[faces[i][1]];
+        const Vec3f& c = data_.triangles.vertices[faces[i][2]];
+        const Vec3f lo = glm::min(glm::min(a, b), c);
+        const Vec3f hi = glm::max(glm::max(a, b), c);
+        boxes.push_back({{lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z}});
+        slivers[i] = is_sliver(a, b, c);
+    }
+    return boxes;
+}
+
+/// Calls take(face, hit) for the faces that the ray meets in (t_min, t_max] and that are not where it starts;
+/// ends when take returns true. A face may come more than once.
+template <class Take>
+bool MeshShape::each_candidate(const ShapeRay& ray, const double& t_max, Take&& take) const {
+    const WoopRay woop(ray.ray);
+    const auto test = [&](uint32_t face) {
+        const Vec3 a = vertex(face, 0);
+        const Vec3 b = vertex(face, 1);
+        const Vec3 c = vertex(face, 2);
+        TriangleHit hit;
+        if (!woop.hits(a, b, c, hit) || !(hit.t > ray.t_min && hit.t <= t_max)) return false;
+        if (ray.starts_on_surface && face == ray.origin_part) return false;
+        if (ray.origin_error > 0.0 && in_plane(ray.ray.origin, a, b, c, ray.origin_error)) return false;
+        return take(face, hit);
+    };
+    if (brute_force_) {
+        for (uint32_t face = 0; face < data_.triangles.faces.size(); ++face) {
+            if (test(face)) return true;
+        }
+        return false;
+    }
+    return tree_.walk(ray.ray, ray.t_min, t_max, [&](const uint32_t* faces, uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i) {
+            if (test(faces[i])) return true;
+        }
+        return false;
+    });
+}
+
+void MeshShape::crossings(const ShapeRay& ray, Crossings& out) const {
+    std::vector<Crossing> all;
+    each_candidate(ray, ray.t_max, [&](uint32_t face, const TriangleHit& hit) {
+        all.push_back({hit.t, face, hit.at});
+        return false;
+    });
+    std::sort(all.begin(), all.end(), [](const Crossing& a, const Crossing& b) { return a.part < b.part; });
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (i == 0 || all[i].part != all[i - 1].part) out.add(all[i]);
+    }
+}
+
+bool MeshShape::closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const {
+    double best = ray.t_max;
+    bool found = false;
+    each_candidate(ray, best, [&](uint32_t face, const TriangleHit& hit) {
+        // At a shared edge the later face is seen.
+        if (found && hit.t == best && face <= nearest.part) return false;
+        const Crossing crossing{hit.t, face, hit.at};
+        if (filter && !filter->counts(crossing)) return false;
+        nearest = crossing;
+        best = hit.t;
+        found = true;
+        return false;
+    });
+    return found;
+}
+
+bool MeshShape::any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const {
+    return each_candidate(ray, ray.t_max, [&](uint32_t face, const TriangleHit& hit) {
+        found = {hit.t, face, hit.at};
+        return !filter || filter->counts(found);
+    });
+}
+
+bool MeshShape::inside(const Vec3& p) const {
+    if (!data_.inside_vector || !bounds_.contains(p)) return false;
+    const Ray ray{p, *data_.inside_vector};
+    const WoopRay woop(ray);
+    std::vector<uint32_t> met;
+    constexpr double far = std::numeric_limits<double>::infinity();
+    const auto collect = [&](const uint32_t* faces, uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i) {
+            TriangleHit hit;
+            const uint32_t f = faces[i];
+            if (woop.hits_once(vertex(f, 0), vertex(f, 1), vertex(f, 2), hit) && hit.t > 0.0)
+                met.push_back(f);
+        }
+        return false;
+    };
+    if (brute_force_) {
+        for (uint32_t f = 0; f < data_.triangles.faces.size(); ++f) collect(&f, 1);
+    } else {
+        tree_.walk(ray, 0.0, far, collect);
+    }
+    std::sort(met.begin(), met.end());
+    met.erase(std::unique(met.begin(), met.end()), met.end());
+    return met.size() % 2 == 1;
+}
+
+Vec3 MeshShape::normal(const Vec3&, const Crossing& at) const {
+    const TriangleMesh& mesh = data_.triangles;
+    if (!mesh.face_normals.empty() && mesh.face_normals[at.part][0] != no_index) {
+        const auto& n = mesh.face_normals[at.part];
+        return Vec3(mesh.normals[n[0]]) * (1.0 - at.at.x - at.at.y) + Vec3(mesh.normals[n[1]]) * at.at.x +
+               Vec3(mesh.normals[n[2]]) * at.at.y;
+    }
+    const Vec3 a = vertex(at.part, 0);
+    return glm::cross(vertex(at.part, 2) - a, vertex(at.part, 1) - a);
+}
+
+std::optional<Vec2> MeshShape::uv(const Vec3&, const Crossing& at) const {
+    if (data_.face_uvs.empty()) return Vec2{0.0};
+    const auto& i = data_.face_uvs[at.part];
+    return data_.uvs[i[0]] * (1.0 - at.at.x - at.at.y) + data_.uvs[i[1]] * at.at.x +
+           data_.uvs[i[2]] * at.at.y;
+}
+
+int MeshShape::textures_at(const Crossing& at, std::array<TextureWeight, 3>& out) const {
+    if (data_.face_textures.empty()) return 0;
+    const auto& textures = data_.face_textures[at.part];
+    if (textures[0] == no_index) return 0;
+    out[0] = {textures[0], 1.0f};
+    if (textures[1] == no_index) return 1;
+    out[0].weight = static_cast<float>(1.0 - at.at.x - at.at.y);
+    out[1] = {textures[1], static_cast<float>(at.at.x)};
+    out[2] = {textures[2], static_cast<float>(at.at.y)};
+    return 3;
+}
+
+std::optional<TriangleMesh> MeshShape::tessellate(double) const {
+    TriangleMesh copy = data_.triangles;
+    copy.error = 0;
+    return copy;
+}
+
+std::string MeshShape::describe() const {
+    return fmt::format("{} vertices, {} faces", data_.triangles.vertices.size(),
+                       data_.triangles.faces.size());
+}
+
+void prepare_normals(TriangleMesh& mesh, SourceRange where, Diagnostics& diagnostics) {
+    bool zero = false;
+    for (Vec3f& n : mesh.normals) {
+        constexpr float tiny = 1e-10f;
+        if (std::abs(n.x) < tiny && std::abs(n.y) < tiny && std::abs(n.z) < tiny) {
+            zero = true;
+            n = Vec3f{1, 0, 0};
+        }
+        n = Vec3f(glm::normalize(Vec3(n)));
+    }
+    if (zero) diagnostics.warning(where, "Normal vector in mesh cannot be zero - changing it to <1,0,0>.");
+    for (auto& face : mesh.face_normals) {
+        if (face[0] == no_index) continue;
+        const auto differs = [&](uint32_t i, uint32_t k) {
+            const Vec3 d = Vec3(mesh.normals[i]) - Vec3(mesh.normals[k]);
+            return glm::dot(d, d) > 1e-10;
+        };
+        if (!differs(face[0], face[1]) && !differs(face[0], face[2])) face[0] = no_index;
+    }
+}
+
+}  // namespace rb

@@ -1,0 +1,63 @@
+#pragma once
+#include "base/diagnostics.h"
+#include "kdtree/kdtree.h"
+#include "scene/shape.h"
+
+namespace rb {
+
+constexpr uint32_t no_index = std::numeric_limits<uint32_t>::max();
+
+/// Everything a mesh or mesh2 statement says about its surface.
+struct MeshData {
+    TriangleMesh triangles;  ///< face_normals[i][0] == no_index: face i is flat
+    std::vector<Vec2> uvs;
+    std::vector<std::array<uint32_t, 3>> face_uvs;  ///< parallel to the faces, or empty: (0, 0)
+    std::vector<TexturePtr> textures;
+    /// Parallel to the faces, or empty; [0] == no_index: the mesh's own texture, [1] == no_index: one
+    /// texture.
+    std::vector<std::array<uint32_t, 3>> face_textures;
+    std::optional<Vec3> inside_vector;
+};
+
+/// A triangle mesh with its own kD-tree, shared by all copies of the object.
+class MeshShape final : public Shape {
+public:
+    /// `brute_force`: no tree, every ray meets every face (the tree's slow twin).
+    MeshShape(std::string_view keyword, MeshData data, bool brute_force = false);
+
+    std::string_view keyword() const override { return keyword_; }
+    Bounds bounds() const override { return bounds_; }
+    bool inside(const Vec3& p) const override;
+    bool is_patch() const override { return !data_.inside_vector; }
+    void crossings(const ShapeRay& ray, Crossings& out) const override;
+    bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const override;
+    bool any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const override;
+    Vec3 normal(const Vec3& p, const Crossing& at) const override;
+    std::optional<Vec2> uv(const Vec3& p, const Crossing& at) const override;
+    std::span<const TexturePtr> textures() const override { return data_.textures; }
+    int textures_at(const Crossing& at, std::array<TextureWeight, 3>& out) const override;
+    std::optional<TriangleMesh> tessellate(double tolerance) const override;
+    std::string describe() const override;
+
+    const KdTree& tree() const { return tree_; }
+
+private:
+    Vec3 vertex(uint32_t face, size_t corner) const {
+        return Vec3(data_.triangles.vertices[data_.triangles.faces[face][corner]]);
+    }
+    std::vector<BoxF> face_boxes(std::vector<bool>& slivers) const;
+    template <class Take>
+    bool each_candidate(const ShapeRay& ray, const double& t_max, Take&& take) const;
+
+    std::string keyword_;
+    MeshData data_;
+    Bounds bounds_;
+    KdTree tree_;
+    bool brute_force_;
+};
+
+/// Unit vertex normals, and the flat faces marked: where the three normals coincide (spec: geometry 10.3).
+/// Reports a zero normal once.
+void prepare_normals(TriangleMesh& mesh, SourceRange where, Diagnostics& diagnostics);
+
+}  // namespace rb
