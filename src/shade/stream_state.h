@@ -85,7 +85,8 @@ struct StreamState {
     std::vector<Slot> slots;
     std::vector<PowerSlot> power_slots;
     InteriorPool interiors;
-    std::vector<uint32_t> blockers;  ///< per light sample, the leaf that blocked it last
+    std::vector<uint32_t> texture_counts;  ///< all 0 between waves
+    std::vector<uint32_t> blockers;        ///< per light sample, the leaf that blocked it last
     RayCounters counters;
 
     // Surface samples of the hits, for patterns that ask.
