@@ -119,24 +119,17 @@ void RayStream::split_hit(bool from_inside, const Hit& hit) {
 
 void RayStream::dress_hit(size_t index, const SurfaceProgram& surface, bool from_inside, const Hit& hit) {
     HitPoint& point = state_.hits[index];
-    point.texture = from_inside ? surface.interior_texture : surface.texture;
+    point.look = from_inside ? surface.interior_look : surface.look;
     point.interior = surface.interior;
     point.uv_mapping = surface.uv_mapping;
     point.double_illuminate = surface.double_illuminate;
-    if (!surface.uv_mapping && !program_.textures[point.texture].needs_surface) return;
+    if (!surface.uv_mapping && !program_.textures[program_.looks[point.look].texture].needs_surface) return;
     if (state_.uv.size() <= index) state_.uv.resize(index + 1);
     state_.uv[index] = program_.geometry.uv(hit);
 }
 
-bool RayStream::in_the_open(InteriorList inside) const {
-    for (const uint32_t interior : state_.interiors.view(inside)) {
-        if (!program_.world.interiors[interior].hollow) return false;
-    }
-    return true;
-}
-
 void RayStream::pass_fog(const PathRay& ray, double length, Rgb& weight, float& alpha) {
-    if (program_.fog.empty() || !in_the_open(ray.inside)) return;
+    if (program_.fog.empty() || !state_.in_the_open(program_.world, ray.inside)) return;
     const FogEffect effect = program_.fog.along(ray.ray, length);
     state_.slots[ray.slot].rgb += weight * effect.added;
     weight *= effect.attenuation;
@@ -180,25 +173,25 @@ void RayStream::fill_samples() {
     }
 }
 
-/// Hits by texture, in the order of the wave within each.
+/// Hits by look, in the order of the wave within each.
 std::span<const uint32_t> RayStream::group_hits(Scratch::Scope& memory) {
     const size_t count = state_.hits.size();
-    state_.texture_counts.resize(program_.textures.size());
-    const auto used = memory.take<uint32_t>(std::min(count, program_.textures.size()));
+    state_.look_counts.resize(program_.looks.size());
+    const auto used = memory.take<uint32_t>(std::min(count, program_.looks.size()));
     size_t used_count = 0;
     for (const HitPoint& hit : state_.hits) {
-        if (state_.texture_counts[hit.texture]++ == 0) used[used_count++] = hit.texture;
+        if (state_.look_counts[hit.look]++ == 0) used[used_count++] = hit.look;
     }
     std::sort(used.begin(), used.begin() + static_cast<std::ptrdiff_t>(used_count));
     uint32_t start = 0;
-    for (const uint32_t texture : used.first(used_count)) {
-        start += std::exchange(state_.texture_counts[texture], start);
+    for (const uint32_t look : used.first(used_count)) {
+        start += std::exchange(state_.look_counts[look], start);
     }
     const auto order = memory.take<uint32_t>(count);
     for (size_t i = 0; i < count; ++i) {
-        order[state_.texture_counts[state_.hits[i].texture]++] = static_cast<uint32_t>(i);
+        order[state_.look_counts[state_.hits[i].look]++] = static_cast<uint32_t>(i);
     }
-    for (const uint32_t texture : used.first(used_count)) state_.texture_counts[texture] = 0;
+    for (const uint32_t look : used.first(used_count)) state_.look_counts[look] = 0;
     return order;
 }
 
@@ -209,10 +202,10 @@ void RayStream::shade_hits() {
     const auto order = group_hits(memory);
     SurfaceShader shader(program_, state_);
     for (size_t begin = 0; begin < order.size();) {
-        const uint32_t texture = state_.hits[order[begin]].texture;
+        const uint32_t look = state_.hits[order[begin]].look;
         size_t end = begin + 1;
-        while (end < order.size() && state_.hits[order[end]].texture == texture) ++end;
-        shader.shade(program_.textures[texture], order.subspan(begin, end - begin));
+        while (end < order.size() && state_.hits[order[end]].look == look) ++end;
+        shader.shade(program_.looks[look], order.subspan(begin, end - begin));
         begin = end;
     }
 }

@@ -22,7 +22,6 @@ private:
     void shade_hits();
     void fill_samples();
     void pass_fog(const PathRay& ray, double length, Rgb& weight, float& alpha);
-    bool in_the_open(InteriorList inside) const;
     void finish(std::span<const CameraRay> rays, std::span<Radiance> out);
 
     const ShadingProgram& program_;
