@@ -16,9 +16,9 @@ public:
         const TurbulenceWarp* classic = context.modifiers.classic_turbulence();
         const TurbulenceWarp shape = classic ? *classic : TurbulenceWarp{};
         const auto strength = static_cast<double>(context.modifiers.agate_turbulence);
+        turbulence(points, shape, context.noise_generator, values);
         for (size_t i = 0; i < points.size(); ++i) {
-            const double t = turbulence(points[i], shape, context.noise_generator);
-            const double band = 0.5 * (cycloidal(1.3 * strength * t + 1.1 * points[i].z) + 1.0);
+            const double band = 0.5 * (cycloidal(1.3 * strength * values[i] + 1.1 * points[i].z) + 1.0);
             values[i] = band < 0.0 ? 0.0 : std::pow(std::min(1.0, band), 0.77);
         }
     }

@@ -12,7 +12,7 @@ public:
     std::string_view keyword() const override { return keyword_; }
     void evaluate(const PatternContext& context, std::span<const Vec3> points,
                   std::span<double> values) const override {
-        noise(points, context.noise_generator, values);
+        noise(points, 1.0, context.noise_generator, values);
     }
 
 private:

@@ -14,10 +14,12 @@ public:
                   std::span<double> values) const override {
         const TurbulenceWarp* classic = context.modifiers.classic_turbulence();
         const double amount = classic ? classic->amount.x : 0.0;
-        for (size_t i = 0; i < points.size(); ++i) {
-            values[i] = points[i].x;
-            if (amount != 0.0) values[i] += amount * turbulence(points[i], *classic, context.noise_generator);
+        if (amount == 0.0) {
+            for (size_t i = 0; i < points.size(); ++i) values[i] = points[i].x;
+            return;
         }
+        turbulence(points, *classic, context.noise_generator, values);
+        for (size_t i = 0; i < points.size(); ++i) values[i] = points[i].x + amount * values[i];
     }
 };
 

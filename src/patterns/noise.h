@@ -19,18 +19,24 @@ inline int32_t truncated(double v) {
 /// floor as a 32-bit integer that takes values just below a whole number for that number.
 inline int32_t lattice_floor(double v) { return truncated(v >= 0.0 ? v : v - (1.0 - tiny)); }
 
+// The batch forms multiply the points by `scale` first; neighbouring points in a batch share work.
+
 /// Noise in [0, 1] by generator 1 (original), 2 (range corrected) or 3 (gradient); manual 3.4.1.10.
 double noise(const Vec3& p, int generator);
-void noise(std::span<const Vec3> points, int generator, std::span<double> values);
+void noise(std::span<const Vec3> points, double scale, int generator, std::span<double> values);
 
 /// Three independent lattice noises, about [-1, 1]; the same for every generator.
 Vec3 vector_noise(const Vec3& p);
+void vector_noise(std::span<const Vec3> points, double scale, std::span<Vec3> values);
 
 /// Sum of octaves of noise(), not normalised (manual 3.4.7.3.2).
 double turbulence(const Vec3& p, const TurbulenceWarp& shape, int generator);
+void turbulence(std::span<const Vec3> points, const TurbulenceWarp& shape, int generator,
+                std::span<double> values);
 
 /// Sum of octaves of vector_noise().
 Vec3 vector_turbulence(const Vec3& p, const TurbulenceWarp& shape);
+void vector_turbulence(std::span<const Vec3> points, const TurbulenceWarp& shape, std::span<Vec3> values);
 
 /// Octaves that the language really uses: 1..10.
 int octave_count(const TurbulenceWarp& shape);

@@ -2,6 +2,8 @@
 #include "patterns/formula.h"
 #include "patterns/noise.h"
 
+#include <algorithm>
+
 namespace rb {
 
 namespace {
@@ -15,6 +17,11 @@ public:
                   std::span<double> values) const override {
         const TurbulenceWarp* classic = context.modifiers.classic_turbulence();
         const double amount = classic ? classic->amount.x : 0.0;
+        if (amount != 0.0) {
+            turbulence(points, *classic, context.noise_generator, values);
+        } else {
+            std::fill(values.begin(), values.end(), 0.0);
+        }
         for (size_t i = 0; i < points.size(); ++i) {
             const Vec3& p = points[i];
             const double radius = std::sqrt(p.x * p.x + p.y * p.y);
@@ -23,8 +30,7 @@ public:
                 const double a = std::asin(p.y / radius);
                 angle = p.x < 0.0 ? 1.5 * pi - a : 0.5 * pi + a;
             }
-            double v = p.z + radius + arms_ * angle / (2.0 * pi);
-            if (amount != 0.0) v += amount * turbulence(p, *classic, context.noise_generator);
+            const double v = p.z + radius + arms_ * angle / (2.0 * pi) + amount * values[i];
             values[i] = kind_ == 1 ? v : triangle(radius) + triangle(v);
         }
     }

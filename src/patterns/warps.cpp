@@ -3,6 +3,7 @@
 #include "patterns/formula.h"
 #include "patterns/noise.h"
 #include "patterns/noise_tables.h"
+#include "patterns/scratch.h"
 
 #include <algorithm>
 
@@ -32,10 +33,6 @@ Vec3 oriented(const Vec3& o, const Vec3& q) {
 }
 
 Vec3 warped(const Transform& map, const Vec3& q) { return map.inverse_point(q); }
-
-Vec3 warped(const TurbulenceWarp& warp, const Vec3& q) {
-    return q + vector_turbulence(q, warp) * warp.amount;
-}
 
 Vec3 warped(const RepeatWarp& warp, Vec3 q) {
     const double width = warp.width;
@@ -126,9 +123,18 @@ Vec3 warped(const CubicWarp&, const Vec3& q) {
 }  // namespace
 
 void warp_points(const Warp& warp, std::span<Vec3> points) {
+    if (const auto* shape = std::get_if<TurbulenceWarp>(&warp)) {
+        Scratch::Scope memory(thread_scratch());
+        const auto moves = memory.take<Vec3>(points.size());
+        vector_turbulence(points, *shape, moves);
+        for (size_t i = 0; i < points.size(); ++i) points[i] += moves[i] * shape->amount;
+        return;
+    }
     std::visit(
         [points](const auto& one) {
-            for (Vec3& p : points) p = warped(one, p);
+            if constexpr (!std::is_same_v<std::decay_t<decltype(one)>, TurbulenceWarp>) {
+                for (Vec3& p : points) p = warped(one, p);
+            }
         },
         warp);
 }

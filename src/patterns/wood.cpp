@@ -1,6 +1,7 @@
 // wood (manual 3.4.7.1.42): rings around z, disturbed by turbulence.
 #include "patterns/formula.h"
 #include "patterns/noise.h"
+#include "patterns/scratch.h"
 
 namespace rb {
 
@@ -13,15 +14,18 @@ public:
     void evaluate(const PatternContext& context, std::span<const Vec3> points,
                   std::span<double> values) const override {
         const TurbulenceWarp* classic = context.modifiers.classic_turbulence();
-        for (size_t i = 0; i < points.size(); ++i) {
-            const Vec3& p = points[i];
-            double x = p.x;
-            double y = p.y;
-            if (classic) {
-                const Vec3 d = vector_turbulence(p, *classic);
-                x += cycloidal((p.x + d.x) * classic->amount.x);
-                y += cycloidal((p.y + d.y) * classic->amount.y);
+        Scratch::Scope memory(thread_scratch());
+        const auto moves = memory.take<Vec3>(points.size(), Vec3{0.0});
+        if (classic) {
+            vector_turbulence(points, *classic, moves);
+            for (size_t i = 0; i < points.size(); ++i) {
+                moves[i].x = cycloidal((points[i].x + moves[i].x) * classic->amount.x);
+                moves[i].y = cycloidal((points[i].y + moves[i].y) * classic->amount.y);
             }
+        }
+        for (size_t i = 0; i < points.size(); ++i) {
+            const double x = points[i].x + moves[i].x;
+            const double y = points[i].y + moves[i].y;
             values[i] = std::sqrt(x * x + y * y);
         }
     }

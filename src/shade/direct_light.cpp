@@ -46,6 +46,15 @@ void DirectLight::add_one(const FinishProgram& finish, size_t light, LitRow& row
     row.light += light_sum;
 }
 
+/// The place with its draw for crand.
+LitPlace DirectLight::roughened(size_t light, const LitRow& row) const {
+    LitPlace place = row.place;
+    if (place.crand != 0.0) {
+        place.crand *= unit_random(mixed(state_.ray_of(state_.hits[row.hit]).seed, 0x10000 + light));
+    }
+    return place;
+}
+
 Rgb DirectLight::from_center(const FinishProgram& finish, size_t light, const LitRow& row,
                              const LightVector& way, ShadowMemory& memory) {
     const LightProgram& source = program_.lights[light];
@@ -57,10 +66,7 @@ Rgb DirectLight::from_center(const FinishProgram& finish, size_t light, const Li
     }
     const Rgb color = source.color() * static_cast<float>(source.attenuation(hit.point, way));
     if (is_black(color)) return Rgb(0.0f);
-    LitPlace place = row.place;
-    if (place.crand != 0.0) {
-        place.crand *= unit_random(mixed(state_.ray_of(hit).seed, 0x10000 + light));
-    }
+    const LitPlace place = roughened(light, row);
     // The light's share first: where it is nothing (a highlight elsewhere), no shadow ray is needed.
     const Rgb share = reflected_light(finish, place, meeting);
     if (share == Rgb(0.0f)) return share;
@@ -77,6 +83,7 @@ Rgb DirectLight::from_area(const FinishProgram& finish, size_t light, const LitR
     const Rgb per_sample = arrived / static_cast<float>(source.sample_count());
     Scratch::Scope scratch(thread_scratch());
     const AreaSampler sampler(source, light, state_.ray_of(hit).seed, way.direction, 1, scratch);
+    const LitPlace place = roughened(light, row);
     Rgb sum(0.0f);
     for (int v = 0; v < grid.size2; ++v) {
         for (int u = 0; u < grid.size1; ++u) {
@@ -89,7 +96,7 @@ Rgb DirectLight::from_area(const FinishProgram& finish, size_t light, const LitR
             }
             meeting.color = per_sample * static_cast<float>(source.attenuation(hit.point, ray));
             if (is_black(meeting.color)) continue;
-            sum += reflected_light(finish, row.place, meeting);
+            sum += reflected_light(finish, place, meeting);
         }
     }
     return sum;

@@ -45,6 +45,7 @@ public:
 
 private:
     void add_one(const FinishProgram& finish, size_t light, LitRow& row, ShadowMemory& memory);
+    LitPlace roughened(size_t light, const LitRow& row) const;
     Rgb from_center(const FinishProgram& finish, size_t light, const LitRow& row, const LightVector& way,
                     ShadowMemory& memory);
     Rgb from_area(const FinishProgram& finish, size_t light, const LitRow& row, const LightVector& way,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rb {
 
@@ -80,7 +81,7 @@ void RayStream::intersect() {
 
 void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     const PathRay& ray = state_.rays[ray_index];
-    HitPoint point;
+    HitPoint& point = state_.hits.emplace_back();
     point.point = hit.point;
     point.direction = ray.ray.direction;
     const bool from_inside = glm::dot(hit.normal, point.direction) > 0.0;
@@ -93,35 +94,42 @@ void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     point.weight = ray.weight;
     point.alpha = ray.alpha;
     pass_fog(ray, hit.t, point.weight, point.alpha);
+    const Leaf& leaf = program_.geometry.leaf(hit.leaf);
+    if (leaf.first_texture_surface == no_surface) {
+        dress_hit(state_.hits.size() - 1, program_.surfaces[leaf.surface], from_inside, hit);
+    } else {
+        split_hit(from_inside, hit);
+    }
+}
 
+/// Makes one hit point of each surface that a mesh wears here.
+void RayStream::split_hit(bool from_inside, const Hit& hit) {
+    const HitPoint whole = state_.hits.back();
+    state_.hits.pop_back();
     std::array<SurfaceWeight, 3> worn;
     const int count = program_.geometry.surfaces_at(hit, worn);
     for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
         if (count > 1 && worn[i].weight < program_.world.settings.adc_bailout) continue;
-        const SurfaceProgram& surface = program_.surfaces[worn[i].surface];
-        HitPoint part = point;
-        part.texture = from_inside ? surface.interior_texture : surface.texture;
-        part.interior = surface.interior;
-        part.uv_mapping = surface.uv_mapping;
-        part.double_illuminate = surface.double_illuminate;
+        HitPoint& part = state_.hits.emplace_back(whole);
         part.weight *= worn[i].weight;
         part.alpha *= worn[i].weight;
-        state_.hits.push_back(part);
-        if (!surface.uv_mapping && !program_.textures[part.texture].needs_surface) continue;
-        state_.uv.resize(std::max(state_.uv.size(), state_.hits.size()));
-        state_.uv[state_.hits.size() - 1] = program_.geometry.uv(hit);
+        dress_hit(state_.hits.size() - 1, program_.surfaces[worn[i].surface], from_inside, hit);
     }
 }
 
-bool RayStream::in_the_open(InteriorList inside) const {
-    for (const uint32_t interior : state_.interiors.view(inside)) {
-        if (!program_.world.interiors[interior].hollow) return false;
-    }
-    return true;
+void RayStream::dress_hit(size_t index, const SurfaceProgram& surface, bool from_inside, const Hit& hit) {
+    HitPoint& point = state_.hits[index];
+    point.look = from_inside ? surface.interior_look : surface.look;
+    point.interior = surface.interior;
+    point.uv_mapping = surface.uv_mapping;
+    point.double_illuminate = surface.double_illuminate;
+    if (!surface.uv_mapping && !program_.textures[program_.looks[point.look].texture].needs_surface) return;
+    if (state_.uv.size() <= index) state_.uv.resize(index + 1);
+    state_.uv[index] = program_.geometry.uv(hit);
 }
 
 void RayStream::pass_fog(const PathRay& ray, double length, Rgb& weight, float& alpha) {
-    if (program_.fog.empty() || !in_the_open(ray.inside)) return;
+    if (program_.fog.empty() || !state_.in_the_open(program_.world, ray.inside)) return;
     const FogEffect effect = program_.fog.along(ray.ray, length);
     state_.slots[ray.slot].rgb += weight * effect.added;
     weight *= effect.attenuation;
@@ -165,22 +173,39 @@ void RayStream::fill_samples() {
     }
 }
 
+/// Hits by look, in the order of the wave within each.
+std::span<const uint32_t> RayStream::group_hits(Scratch::Scope& memory) {
+    const size_t count = state_.hits.size();
+    state_.look_counts.resize(program_.looks.size());
+    const auto used = memory.take<uint32_t>(std::min(count, program_.looks.size()));
+    size_t used_count = 0;
+    for (const HitPoint& hit : state_.hits) {
+        if (state_.look_counts[hit.look]++ == 0) used[used_count++] = hit.look;
+    }
+    std::sort(used.begin(), used.begin() + static_cast<std::ptrdiff_t>(used_count));
+    uint32_t start = 0;
+    for (const uint32_t look : used.first(used_count)) {
+        start += std::exchange(state_.look_counts[look], start);
+    }
+    const auto order = memory.take<uint32_t>(count);
+    for (size_t i = 0; i < count; ++i) {
+        order[state_.look_counts[state_.hits[i].look]++] = static_cast<uint32_t>(i);
+    }
+    for (const uint32_t look : used.first(used_count)) state_.look_counts[look] = 0;
+    return order;
+}
+
 void RayStream::shade_hits() {
     if (state_.hits.empty()) return;
     fill_samples();
     Scratch::Scope memory(thread_scratch());
-    const size_t count = state_.hits.size();
-    const auto order = memory.take<uint64_t>(count);
-    const auto hits = memory.take<uint32_t>(count);
-    for (size_t i = 0; i < count; ++i) order[i] = (uint64_t{state_.hits[i].texture} << 32) | i;
-    std::sort(order.begin(), order.end());
-    for (size_t i = 0; i < count; ++i) hits[i] = static_cast<uint32_t>(order[i]);
+    const auto order = group_hits(memory);
     SurfaceShader shader(program_, state_);
-    for (size_t begin = 0; begin < count;) {
-        const uint64_t texture = order[begin] >> 32;
+    for (size_t begin = 0; begin < order.size();) {
+        const uint32_t look = state_.hits[order[begin]].look;
         size_t end = begin + 1;
-        while (end < count && order[end] >> 32 == texture) ++end;
-        shader.shade(program_.textures[texture], hits.subspan(begin, end - begin));
+        while (end < order.size() && state_.hits[order[end]].look == look) ++end;
+        shader.shade(program_.looks[look], order.subspan(begin, end - begin));
         begin = end;
     }
 }

@@ -15,11 +15,13 @@ private:
     void run_wave();
     void intersect();
     void add_hit(uint32_t ray_index, const Hit& hit);
+    void split_hit(bool from_inside, const Hit& hit);
+    void dress_hit(size_t index, const SurfaceProgram& surface, bool from_inside, const Hit& hit);
+    std::span<const uint32_t> group_hits(Scratch::Scope& memory);
     void shade_sky(std::span<const uint32_t> misses);
     void shade_hits();
     void fill_samples();
     void pass_fog(const PathRay& ray, double length, Rgb& weight, float& alpha);
-    bool in_the_open(InteriorList inside) const;
     void finish(std::span<const CameraRay> rays, std::span<Radiance> out);
 
     const ShadingProgram& program_;

@@ -25,28 +25,27 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
 void ShadingProgram::add_surfaces() {
     const TextureSettings settings{patterns, world.settings.ambient_light, options.quality};
     tracks_interiors = !fog.empty();
-    // Copies of a declared object share their layers, and those without a pattern their program too.
-    std::map<std::pair<const TextureLayers*, std::array<double, 12>>, uint32_t> known;
+    std::map<const TextureLayers*, uint32_t> known;
     const auto compiled = [&](const WornTexture& worn) {
-        std::array<double, 12> place{};
-        for (size_t i = 0; i < 12; ++i) {
-            place[i] = worn.world_from_texture.forward.row[i / 3][static_cast<int>(i % 3)];
-        }
-        const auto [entry, is_new] = known.try_emplace({worn.layers.get(), place}, 0u);
+        const auto [entry, is_new] =
+            known.try_emplace(worn.layers.get(), static_cast<uint32_t>(textures.size()));
         if (is_new) {
-            entry->second = static_cast<uint32_t>(textures.size());
-            textures.emplace_back(*transformed(worn.layers, worn.world_from_texture), settings);
+            textures.emplace_back(*worn.layers, settings);
+            const TextureProgram& texture = textures.back();
+            tracks_interiors = tracks_interiors || texture.passes_light || texture.has_fresnel;
         }
-        const TextureProgram& texture = textures[entry->second];
-        tracks_interiors = tracks_interiors || texture.passes_light || texture.has_fresnel;
-        return entry->second;
+        Look look{entry->second, {}};
+        if (!worn.world_from_texture.is_identity()) look.transform.emplace_back(worn.world_from_texture);
+        const bool same_as_last = !looks.empty() && looks.back().texture == look.texture &&
+                                  look.transform.empty() && looks.back().transform.empty();
+        if (!same_as_last) looks.push_back(std::move(look));
+        return static_cast<uint32_t>(looks.size() - 1);
     };
     surfaces.reserve(world.surfaces.size());
     for (const Surface& surface : world.surfaces) {
         SurfaceProgram program;
-        program.texture = compiled(surface.texture);
-        program.interior_texture =
-            surface.interior_texture ? compiled(*surface.interior_texture) : program.texture;
+        program.look = compiled(surface.texture);
+        program.interior_look = surface.interior_texture ? compiled(*surface.interior_texture) : program.look;
         program.interior = surface.interior;
         program.uv_mapping = surface.uv_mapping;
         program.double_illuminate = surface.double_illuminate;

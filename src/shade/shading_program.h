@@ -8,10 +8,16 @@
 
 namespace rb {
 
+/// A texture at its place: objects that differ only in where they stand share the texture.
+struct Look {
+    uint32_t texture = 0;         ///< index into ShadingProgram::textures
+    std::vector<Warp> transform;  ///< the object's, as a chain of at most one
+};
+
 /// What a surface of the world wears, compiled.
 struct SurfaceProgram {
-    uint32_t texture = 0;           ///< index into ShadingProgram::textures
-    uint32_t interior_texture = 0;  ///< the same as `texture` if it has none of its own
+    uint32_t look = 0;           ///< index into ShadingProgram::looks
+    uint32_t interior_look = 0;  ///< the same as `look` if it has none of its own
     uint32_t interior = 0;
     bool uv_mapping = false;
     bool double_illuminate = false;
@@ -27,6 +33,7 @@ struct ShadingProgram {
     PatternSettings patterns;
     bool before_37 = false;  ///< the older rules for opacity and sky
     std::vector<TextureProgram> textures;
+    std::vector<Look> looks;
     std::vector<SurfaceProgram> surfaces;
     std::vector<LightProgram> lights;
     std::vector<uint32_t> first_sample;  ///< of each light among all samples of all lights

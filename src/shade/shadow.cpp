@@ -32,15 +32,16 @@ Rgb interior_fade(const Interior& interior, double distance) {
     return interior.fade_color + (Rgb(1.0f) - interior.fade_color) * k;
 }
 
-Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place, const Vec3& normal,
-                   const Vec3& light_direction, double caustics) {
+Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place,
+                   std::span<const Warp> transform, const Vec3& normal, const Vec3& light_direction,
+                   double caustics) {
     Rgb filter(1.0f);
     if (texture.is_patterned()) {
         Scratch::Scope memory(thread_scratch());
         const auto points = texture.uv_mapping ? uv_points(place, memory) : place.points;
         const PatternSamples moved = place.at(carried(texture.field, points, memory));
         const auto of = [&](size_t k) {
-            return texture_filter(texture.children[k], moved, normal, light_direction, caustics);
+            return texture_filter(texture.children[k], moved, transform, normal, light_direction, caustics);
         };
         if (texture.average) {
             Rgb sum(0.0f);
@@ -65,7 +66,12 @@ Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place, c
         const double exponent = layer.finish.finish.caustics ? *layer.finish.finish.caustics : caustics;
         if (exponent == 0.0) continue;
         Vec3 n = normal;
-        if (layer.normal) layer.normal->perturb(place, {&n, 1});
+        if (layer.normal) {
+            const bool unit_length = !layer.normal->keeps_length();
+            normals_into(transform, unit_length, {&n, 1});
+            layer.normal->perturb(place, {&n, 1});
+            normals_out_of(transform, unit_length, {&n, 1});
+        }
         const double c = std::abs(glm::dot(glm::normalize(n), light_direction));
         filter *= static_cast<float>(1.0 + std::pow(c, exponent));
     }
@@ -77,12 +83,17 @@ Rgb ShadowTracer::arriving(size_t light, const HitPoint& hit, const LightVector&
     const LightProgram& program = program_.lights[light];
     if (program.is_shadowless() || program_.options.quality < 4) return color;
     if (program.light().is_area) return over_area(light, hit, to_center, color);
-    return along(hit, to_center, color, state_.blockers[program_.first_sample[light]]);
+    return along(program.light(), hit, to_center, color, state_.blockers[program_.first_sample[light]]);
 }
 
-Rgb ShadowTracer::along(const HitPoint& hit, const LightVector& way, Rgb color, uint32_t& blocker) {
+Rgb ShadowTracer::along(const Light& light, const HitPoint& hit, const LightVector& way, Rgb color,
+                        uint32_t& blocker) {
     const double t_max = shadow_reach(way.distance);
     if (!(t_max > 0.0)) return color;
+    if (light.media_interaction && light.media_attenuation && !program_.fog.empty() &&
+        state_.in_the_open(program_.world, state_.ray_of(hit).inside)) {
+        color *= program_.fog.along({hit.point, way.direction}, way.distance).attenuation;
+    }
     ++state_.counters.shadow;
     RayQuery query = StreamState::query_from(hit, way.direction, t_max, program_.shadow_mask);
     if (!program_.geometry.occluded(query, blocker)) return color;
@@ -142,16 +153,18 @@ Rgb ShadowTracer::filter_of(const Hit& hit, const Vec3& direction, double segmen
 
 Rgb ShadowTracer::surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction) {
     const bool from_inside = glm::dot(hit.normal, direction) > 0.0;
-    const TextureProgram& texture =
-        program_.textures[from_inside ? surface.interior_texture : surface.texture];
+    const Look& look = program_.looks[from_inside ? surface.interior_look : surface.look];
+    const TextureProgram& texture = program_.textures[look.texture];
     const Vec3 normal = from_inside ? -hit.normal : hit.normal;
     Vec2 uv{0.0};
     if (surface.uv_mapping || texture.needs_surface) uv = program_.geometry.uv(hit);
-    const Vec3 point = surface.uv_mapping ? Vec3{uv.x, uv.y, 0.0} : hit.point;
+    Vec3 point = surface.uv_mapping ? Vec3{uv.x, uv.y, 0.0} : hit.point;
+    if (!look.transform.empty()) point = std::get<Transform>(look.transform.front()).inverse_point(point);
     const SurfaceSamples samples{{&hit.point, 1}, {&normal, 1}, {&direction, 1}, {&uv, 1}};
     constexpr uint32_t row = 0;
     const double caustics = program_.world.interiors[surface.interior].interior.caustics * 45.0;
-    return texture_filter(texture, {{&point, 1}, &samples, {&row, 1}}, normal, direction, caustics);
+    return texture_filter(texture, {{&point, 1}, &samples, {&row, 1}}, look.transform, normal, direction,
+                          caustics);
 }
 
 /// One evaluation of an area light: every grid point is looked at once at most.
@@ -183,7 +196,8 @@ const Rgb& ShadowTracer::grid_point(Grid& grid, int u, int v) {
         grid.known[index] = 1;
         const Vec3 offset = grid.sampler.offset(u, v);
         uint32_t& blocker = state_.blockers[program_.first_sample[grid.light] + index];
-        grid.arrived[index] = along(grid.hit, light.toward(grid.hit.point, offset), grid.color, blocker);
+        grid.arrived[index] =
+            along(light.light(), grid.hit, light.toward(grid.hit.point, offset), grid.color, blocker);
     }
     return grid.arrived[index];
 }

@@ -14,7 +14,7 @@ public:
 
 private:
     struct Grid;
-    Rgb along(const HitPoint& hit, const LightVector& way, Rgb color, uint32_t& blocker);
+    Rgb along(const Light& light, const HitPoint& hit, const LightVector& way, Rgb color, uint32_t& blocker);
     Rgb filtered(const HitPoint& hit, const LightVector& way, double t_max, Rgb color);
     Rgb filter_of(const Hit& hit, const Vec3& direction, double segment, std::span<const uint32_t> inside);
     Rgb surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction);
@@ -27,9 +27,10 @@ private:
 };
 
 /// Light factor that a texture lets through at one place: the product of its layers (manual 3.4.7.8).
-/// `caustics`: exponent of fake caustics, 0 for none.
-Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place, const Vec3& normal,
-                   const Vec3& light_direction, double caustics);
+/// `transform` is the object's, for normals; `caustics`: exponent of fake caustics, 0 for none.
+Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place,
+                   std::span<const Warp> transform, const Vec3& normal, const Vec3& light_direction,
+                   double caustics);
 
 /// Distance attenuation of an interior (manual 3.4.7.5).
 Rgb interior_fade(const Interior& interior, double distance);

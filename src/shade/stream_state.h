@@ -58,7 +58,7 @@ struct HitPoint {
     uint32_t leaf = no_leaf;
     uint32_t part = any_part;
     bool uv_mapping = false;
-    uint32_t texture = 0;
+    uint32_t look = 0;
     uint32_t interior = 0;
     bool double_illuminate = false;
     Rgb weight{1.0f};  ///< of its light, after the atmosphere on the way to the eye
@@ -85,7 +85,8 @@ struct StreamState {
     std::vector<Slot> slots;
     std::vector<PowerSlot> power_slots;
     InteriorPool interiors;
-    std::vector<uint32_t> blockers;  ///< per light sample, the leaf that blocked it last
+    std::vector<uint32_t> look_counts;  ///< all 0 between waves
+    std::vector<uint32_t> blockers;     ///< per light sample, the leaf that blocked it last
     RayCounters counters;
 
     // Surface samples of the hits, for patterns that ask.
@@ -100,6 +101,14 @@ struct StreamState {
         RayQuery query{{hit.point, direction}, t_max, mask, hit.leaf, hit.error};
         query.origin_part = hit.part;
         return query;
+    }
+
+    /// True if nothing solid contains the ray, so that the atmosphere acts on it.
+    bool in_the_open(const World& world, InteriorList inside) const {
+        for (const uint32_t interior : interiors.view(inside)) {
+            if (!world.interiors[interior].hollow) return false;
+        }
+        return true;
     }
 
     const PathRay& ray_of(const HitPoint& hit) const { return rays[hit.ray]; }

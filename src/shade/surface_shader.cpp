@@ -26,10 +26,12 @@ struct SurfaceShader::LayerStack {
     bool is_top = true;
 };
 
-void SurfaceShader::shade(const TextureProgram& texture, std::span<const uint32_t> hits) {
+void SurfaceShader::shade(const Look& look, std::span<const uint32_t> hits) {
     Scratch::Scope memory(thread_scratch());
+    const TextureProgram& texture = program_.textures[look.texture];
     const auto roots = memory.take<uint32_t>(hits.size());
     const auto points = memory.take<Vec3>(hits.size());
+    const auto* transform = look.transform.empty() ? nullptr : &std::get<Transform>(look.transform.front());
     for (size_t i = 0; i < hits.size(); ++i) {
         const HitPoint& hit = state_.hits[hits[i]];
         roots[i] = static_cast<uint32_t>(i);
@@ -38,10 +40,13 @@ void SurfaceShader::shade(const TextureProgram& texture, std::span<const uint32_
             const Vec2& uv = state_.uv[hits[i]];
             points[i] = {uv.x, uv.y, 0.0};
         }
+        if (transform) points[i] = transform->inverse_point(points[i]);
     }
     const bool several = texture.is_patterned() || texture.layers.size() > 1;
     ShadowMemory shadows(hits.size(), program_.lights.size(), several, memory);
-    shade_rows(texture, {hits, roots, points, memory.take<float>(hits.size(), 1.0f)}, {}, shadows);
+    const std::span<const Warp> chain = look.transform;
+    const Chains enclosing{&chain, transform ? size_t{1} : size_t{0}};
+    shade_rows(texture, {hits, roots, points, memory.take<float>(hits.size(), 1.0f)}, enclosing, shadows);
 }
 
 void SurfaceShader::shade_rows(const TextureProgram& texture, const Rows& rows, Chains enclosing,
@@ -59,6 +64,8 @@ void SurfaceShader::shade_children(const TextureProgram& texture, const Rows& ro
     const SurfaceSamples surface = state_.samples();
     const PatternSamples samples{rows.points, &surface, rows.hits};
     const auto points = texture.uv_mapping ? uv_points(samples, memory) : rows.points;
+    // What is mapped by surface coordinates does not follow what is around it.
+    if (texture.uv_mapping) enclosing = {};
     const PatternSamples moved = samples.at(carried(texture.field, points, memory));
     const auto chains = memory.take<std::span<const Warp>>(enclosing.size() + 1, std::span<const Warp>{});
     std::copy(enclosing.begin(), enclosing.end(), chains.begin());
@@ -132,9 +139,11 @@ void SurfaceShader::normals_of(const LayerProgram& layer, const PatternSamples& 
                                std::span<const uint32_t> hits, Chains enclosing, std::span<Vec3> normals) {
     for (size_t i = 0; i < hits.size(); ++i) normals[i] = state_.hits[hits[i]].normal;
     if (!layer.normal) return;
-    for (const auto& chain : enclosing) normals_into(chain, true, normals);
+    if (layer.normal->uv_mapping()) enclosing = {};
+    const bool unit_length = !layer.normal->keeps_length();
+    for (const auto& chain : enclosing) normals_into(chain, unit_length, normals);
     layer.normal->perturb(samples, normals);
-    for (size_t k = enclosing.size(); k-- > 0;) normals_out_of(enclosing[k], true, normals);
+    for (size_t k = enclosing.size(); k-- > 0;) normals_out_of(enclosing[k], unit_length, normals);
     for (size_t i = 0; i < hits.size(); ++i) {
         normals[i] = glm::normalize(normals[i]);
         state_.seen_normals[hits[i]] = normals[i];

@@ -12,7 +12,7 @@ public:
         : program_(program), state_(state), light_(program, state), secondary_(program, state) {}
 
     /// `hits`: indices into StreamState::hits.
-    void shade(const TextureProgram& texture, std::span<const uint32_t> hits);
+    void shade(const Look& look, std::span<const uint32_t> hits);
 
 private:
     struct Rows;

@@ -48,7 +48,7 @@ TEST(Noise, BatchEqualsScalar) {
     for (const NoiseRow& row : noise_rows) points.push_back({row.p[0], row.p[1], row.p[2]});
     std::vector<double> values(points.size());
     for (int g = 1; g <= 3; ++g) {
-        noise(points, g, values);
+        noise(points, 1.0, g, values);
         for (size_t i = 0; i < points.size(); ++i) EXPECT_EQ(values[i], noise(points[i], g));
     }
 }
