@@ -4,9 +4,9 @@
 #include "shapes/mesh_shape.h"
 #include "shapes/registry.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <random>
 
@@ -16,8 +16,11 @@ namespace {
 
 using namespace rb;
 
+/// CPU seconds.
 double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 std::string memory() {

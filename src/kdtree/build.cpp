@@ -151,7 +151,6 @@ private:
                      BoxF& low_hull, BoxF& high_hull) {
         const int a = split.axis;
         const float p = split.plane;
-        straddling_.clear();
         size_t low_end = begin;
         size_t high_begin = references_.size();
         for (size_t i = begin; i < high_begin;) {
@@ -166,24 +165,30 @@ private:
                 ++i;
             }
         }
-        // Now [low | both | high]; a straddling one may turn out to be on one side only when it is cut exactly.
-        for (size_t i = low_end; i < high_begin; ++i) straddling_.push_back(references_[i]);
-        const size_t high_count = references_.size() - high_begin;
-        right_.assign(references_.begin() + static_cast<std::ptrdiff_t>(high_begin), references_.end());
-        references_.resize(low_end);
-        for (Reference r : straddling_) {
-            if (!cut(r, low_cell)) continue;
-            include(low_hull, r.box);
-            references_.push_back(r);
+        // Now [low | both | high]. Both's low parts stay, its high parts go to the end; one that is cut away is
+        // filled from there.
+        size_t middle = low_end;
+        for (size_t i = low_end; i < high_begin; ++i) {
+            Reference low = references_[i];
+            Reference high = low;
+            if (cut(high, high_cell)) {
+                include(high_hull, high.box);
+                references_.push_back(high);
+            }
+            if (cut(low, low_cell)) {
+                include(low_hull, low.box);
+                references_[middle++] = low;
+            }
         }
-        const size_t middle = references_.size();
-        for (Reference r : straddling_) {
-            if (!cut(r, high_cell)) continue;
-            include(high_hull, r.box);
-            references_.push_back(r);
+        for (size_t hole = middle; hole < high_begin; ++hole) {
+            if (references_.size() > high_begin) {
+                references_[hole] = references_.back();
+                references_.pop_back();
+            } else {
+                references_.resize(hole);
+                break;
+            }
         }
-        references_.insert(references_.end(), right_.begin(),
-                           right_.begin() + static_cast<std::ptrdiff_t>(high_count));
         return middle;
     }
 
@@ -300,8 +305,6 @@ private:
     const KdTree::Clip& clip_;
     std::array<double, 128> block_costs_{};  ///< by element count; rounding to blocks matters for few
     std::vector<Reference> references_;
-    std::vector<Reference> straddling_;
-    std::vector<Reference> right_;
     std::vector<float> lows_;
     std::vector<float> highs_;
     std::vector<float> flats_;

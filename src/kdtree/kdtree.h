@@ -82,6 +82,9 @@ bool KdTree::walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf
     double near = t_min;
     double far = t_max;
     if (!clip_ray(ray, inverse, near, far)) return false;
+    // Plain arrays: a vector's [] with a variable index costs a branch.
+    const double origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+    const double slope[3] = {inverse.x, inverse.y, inverse.z};
     const uint32_t high_first[3] = {std::signbit(inverse.x) ? 1u : 0u, std::signbit(inverse.y) ? 1u : 0u,
                                     std::signbit(inverse.z) ? 1u : 0u};
     struct Waiting {
@@ -98,7 +101,7 @@ bool KdTree::walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf
         const Node node = nodes_[at];
         if (!node.is_leaf()) {
             const int axis = node.axis();
-            const double t = (static_cast<double>(node.plane()) - ray.origin[axis]) * inverse[axis];
+            const double t = (static_cast<double>(node.plane()) - origin[axis]) * slope[axis];
             const double e = std::min(std::abs(t) * rounding, std::numeric_limits<double>::max());
             const uint32_t low = node.value();
             const uint32_t first = low + high_first[axis];

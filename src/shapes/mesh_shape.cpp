@@ -67,14 +67,16 @@ std::vector<BoxF> MeshShape::face_boxes(std::vector<bool>& slivers) const {
 template <class Take>
 bool MeshShape::each_candidate(const ShapeRay& ray, const double& t_max, Take&& take) const {
     const WoopRay woop(ray.ray);
+    const Vec3f* vertices = data_.triangles.vertices.data();
+    const auto* faces = data_.triangles.faces.data();
     const auto test = [&](uint32_t face) {
-        const Vec3 a = vertex(face, 0);
-        const Vec3 b = vertex(face, 1);
-        const Vec3 c = vertex(face, 2);
+        const Vec3f& a = vertices[faces[face][0]];
+        const Vec3f& b = vertices[faces[face][1]];
+        const Vec3f& c = vertices[faces[face][2]];
         TriangleHit hit;
         if (!woop.hits(a, b, c, hit) || !(hit.t > ray.t_min && hit.t <= t_max)) return false;
         if (ray.starts_on_surface && face == ray.origin_part) return false;
-        if (ray.origin_error > 0.0 && in_plane(ray.ray.origin, a, b, c, ray.origin_error)) return false;
+        if (ray.origin_error > 0.0 && in_plane(ray.ray.origin, Vec3(a), Vec3(b), Vec3(c), ray.origin_error)) return false;
         return take(face, hit);
     };
     if (brute_force_) {
@@ -83,9 +85,9 @@ bool MeshShape::each_candidate(const ShapeRay& ray, const double& t_max, Take&& 
         }
         return false;
     }
-    return tree_.walk(ray.ray, ray.t_min, t_max, [&](const uint32_t* faces, uint32_t count) {
+    return tree_.walk(ray.ray, ray.t_min, t_max, [&](const uint32_t* found, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
-            if (test(faces[i])) return true;
+            if (test(found[i])) return true;
         }
         return false;
     });
