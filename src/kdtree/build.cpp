@@ -46,8 +46,7 @@ constexpr double empty_bonus = 0.8;
 /// [left only | both | both again | right only], so a level costs only its duplicates.
 class KdBuilder {
 public:
-    KdBuilder(KdTree& tree, std::vector<BoxF> boxes, const KdOptions& options,
-              const KdTree::Clip& clip)
+    KdBuilder(KdTree& tree, std::vector<BoxF> boxes, const KdOptions& options, const KdTree::Clip& clip)
         : tree_(tree), options_(options), clip_(clip) {
         for (size_t n = 0; n < block_costs_.size(); ++n) {
             const auto w = static_cast<size_t>(options.block);
@@ -101,7 +100,8 @@ private:
         const double leaf_cost = block_cost(n);
         const Split split = best_split(begin, cell, hull);
         if (split.cost >= leaf_cost) ++allowance.bad_refines;
-        if (split.axis < 0 || allowance.bad_refines > most_bad_refines || (split.cost > 4.0 * leaf_cost && n < 16) ||
+        if (split.axis < 0 || allowance.bad_refines > most_bad_refines ||
+            (split.cost > 4.0 * leaf_cost && n < 16) ||
             (n <= static_cast<size_t>(options_.block) && split.cost >= leaf_cost)) {
             return make_leaf(node, begin);
         }
@@ -165,8 +165,8 @@ private:
                 ++i;
             }
         }
-        // Now [low | both | high]. Both's low parts stay, its high parts go to the end; one that is cut away is
-        // filled from there.
+        // Now [low | both | high]. Both's low parts stay, its high parts go to the end; one that is cut away
+        // is filled from there.
         size_t middle = low_end;
         for (size_t i = low_end; i < high_begin; ++i) {
             Reference low = references_[i];

@@ -76,7 +76,8 @@ bool MeshShape::each_candidate(const ShapeRay& ray, const double& t_max, Take&& 
         TriangleHit hit;
         if (!woop.hits(a, b, c, hit) || !(hit.t > ray.t_min && hit.t <= t_max)) return false;
         if (ray.starts_on_surface && face == ray.origin_part) return false;
-        if (ray.origin_error > 0.0 && in_plane(ray.ray.origin, Vec3(a), Vec3(b), Vec3(c), ray.origin_error)) return false;
+        if (ray.origin_error > 0.0 && in_plane(ray.ray.origin, Vec3(a), Vec3(b), Vec3(c), ray.origin_error))
+            return false;
         return take(face, hit);
     };
     if (brute_force_) {
