@@ -79,8 +79,10 @@ template <class Leaf>
 bool KdTree::walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const {
     if (nodes_.empty()) return false;
     const Vec3 inverse = 1.0 / ray.direction;
+    // A hit at t_max itself may lie in a cell that rounding puts just behind it.
+    constexpr double hit_rounding = 1e-13;
     double near = t_min;
-    double far = t_max;
+    double far = t_max + t_max * hit_rounding;
     if (!clip_ray(ray, inverse, near, far)) return false;
     // Plain arrays: a vector's [] with a variable index costs a branch.
     const double origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
@@ -119,13 +121,14 @@ bool KdTree::walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf
             continue;
         }
         if (node.value() > 0 && leaf(references_.data() + node.plane_or_first, node.value())) return true;
+        const double limit = t_max + t_max * hit_rounding;
         for (;;) {
             if (waiting == 0) return false;
             const Waiting& next = stack[--waiting];
-            if (next.near > t_max) continue;
+            if (next.near > limit) continue;
             at = next.node;
             near = next.near;
-            far = next.far < t_max ? next.far : t_max;
+            far = next.far < limit ? next.far : limit;
             break;
         }
     }
