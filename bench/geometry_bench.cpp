@@ -164,14 +164,16 @@ void measure(std::string_view name, const World& world) {
             rays.push_back(q);
         }
     }
-    std::vector<Hit> hits;
+    std::vector<Hit> hits(rays.size());
+    size_t hit_count = 0;
     double start = seconds();
     for (const RayQuery& q : rays) {
-        Hit hit;
-        if (geometry.closest(q, hit)) hits.push_back(hit);
+        if (geometry.closest(q, hits[hit_count])) ++hit_count;
     }
     report(name, "primary", rays.size(), seconds() - start,
-           static_cast<double>(hits.size()) / static_cast<double>(rays.size()));
+           static_cast<double>(hit_count) / static_cast<double>(rays.size()));
+
+    hits.resize(hit_count);
 
     std::mt19937 random(7);
     std::normal_distribution<double> normal;

@@ -61,7 +61,7 @@ public:
         double hi = query.t_max / t_of_u - middle;
         if (!narrow(q, d, r, lo, hi)) return;
 
-        const double rho = std::hypot(q.x, q.z);
+        const double rho = std::sqrt(q.x * q.x + q.z * q.z);
         const double k = glm::dot(q, q) + R * R - r * r;
         const double b = glm::dot(q, d);
         const double f = 4.0 * R * R;
@@ -81,7 +81,7 @@ public:
 
     Vec3 normal(const Vec3& p, const Crossing&) const override {
         Vec3 q = frame_.local_point(p);
-        const double rho = std::hypot(q.x, q.z);
+        const double rho = std::sqrt(q.x * q.x + q.z * q.z);
         if (rho > 0.0) {
             q.x -= major_ * q.x / rho;
             q.z -= major_ * q.z / rho;
@@ -117,7 +117,7 @@ private:
         if (!(query.origin_error > 0.0)) return false;
         const double error =
             query.origin_error * std::max(frame_.radial_stretch, frame_.axial_stretch) / (major_ + minor_);
-        const double rho = std::hypot(o.x, o.z);
+        const double rho = std::sqrt(o.x * o.x + o.z * o.z);
         return std::abs(std::hypot(rho - R, o.y) - r) <= error ||
                std::abs(std::hypot(rho + R, o.y) - r) <= error;
     }
