@@ -88,8 +88,8 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
     if (use_tree) {
         KdOptions options;
         options.block = 1;
-        options.traversal_cost = 0.4;
-        p.tree = KdTree(std::move(boxes), options);
+        options.traversal_cost = 0.8;
+        p.tree = KdTree(boxes, options);
     }
     return geometry;
 }

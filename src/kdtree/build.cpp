@@ -46,21 +46,22 @@ constexpr double empty_bonus = 0.8;
 /// [left only | both | both again | right only], so a level costs only its duplicates.
 class KdBuilder {
 public:
-    KdBuilder(KdTree& tree, std::vector<BoxF> boxes, const KdOptions& options, const KdTree::Clip& clip)
+    KdBuilder(KdTree& tree, uint32_t count, const KdTree::BoxOf& box_of, const KdOptions& options,
+              const KdTree::Clip& clip)
         : tree_(tree), options_(options), clip_(clip) {
         for (size_t n = 0; n < block_costs_.size(); ++n) {
             const auto w = static_cast<size_t>(options.block);
             block_costs_[n] = options.element_cost * static_cast<double>((n + w - 1) / w);
         }
         BoxF hull = empty_box;
-        references_.reserve(boxes.size() + boxes.size() / 4);
-        for (uint32_t i = 0; i < boxes.size(); ++i) {
-            if (boxes[i].lo[0] > boxes[i].hi[0]) continue;
-            references_.push_back({boxes[i], i});
-            include(hull, boxes[i]);
+        references_.reserve(count + count / 8);
+        for (uint32_t i = 0; i < count; ++i) {
+            const BoxF box = box_of(i);
+            if (box.lo[0] > box.hi[0]) continue;
+            references_.push_back({box, i});
+            include(hull, box);
         }
         if (references_.empty()) return;
-        boxes = {};
         const auto n = static_cast<double>(references_.size());
         const int depth = options.depth >= 0 ? options.depth : static_cast<int>(8.0 + 1.3 * std::log2(n));
         tree_.bounds_ = widened(hull);
@@ -310,8 +311,12 @@ private:
     std::vector<float> flats_;
 };
 
-KdTree::KdTree(std::vector<BoxF> boxes, const KdOptions& options, const Clip& clip) {
-    KdBuilder(*this, std::move(boxes), options, clip);
+KdTree::KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip) {
+    KdBuilder(*this, count, box_of, options, clip);
 }
+
+KdTree::KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip)
+    : KdTree(
+          static_cast<uint32_t>(boxes.size()), [&](uint32_t i) { return boxes[i]; }, options, clip) {}
 
 }  // namespace rb

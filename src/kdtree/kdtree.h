@@ -37,8 +37,12 @@ public:
     using Clip = std::function<Bounds(uint32_t element, const Bounds& cell)>;
 
     KdTree() = default;
-    /// `clip` may be empty. A box with lo > hi leaves its element out.
-    KdTree(std::vector<BoxF> boxes, const KdOptions& options, const Clip& clip = {});
+    /// The box of each element, asked once; lo > hi leaves the element out.
+    using BoxOf = std::function<BoxF(uint32_t element)>;
+
+    /// `clip` may be empty.
+    KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip = {});
+    KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip = {});
 
     bool is_empty() const { return nodes_.empty(); }
     const Bounds& bounds() const { return bounds_; }

@@ -46,7 +46,6 @@ private:
     Vec3 vertex(uint32_t face, size_t corner) const {
         return Vec3(data_.triangles.vertices[data_.triangles.faces[face][corner]]);
     }
-    std::vector<BoxF> face_boxes(std::vector<bool>& slivers) const;
     template <class Take>
     bool each_candidate(const ShapeRay& ray, const double& t_max, Take&& take) const;
 
