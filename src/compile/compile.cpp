@@ -1,4 +1,5 @@
 #include "compile/geometry_parts.h"
+#include "compile/tessellated.h"
 
 namespace rb {
 
@@ -12,7 +13,10 @@ World compile(const Scene& scene, const CompileOptions& options, Diagnostics& di
     world.camera = scene.camera;
     Flattener flattener(world, scene.default_texture, diagnostics);
     for (const ObjectPtr& object : scene.objects) flattener.add(object);
-    world.geometry = make_geometry(flattener.finish(), options.brute_force);
+    FlatGeometry flat = flattener.finish();
+    // `automatic` is exact: every shape so far has a closed form that is faster than its facets.
+    if (options.geometry == GeometryMode::tessellate) tessellate_leaves(flat, scene.camera, options);
+    world.geometry = make_geometry(std::move(flat), options.brute_force);
     return world;
 }
 

@@ -37,19 +37,22 @@ private:
 /// One query on its way through the elements.
 class Search {
 public:
-    Search(const Geometry::Parts& parts, const RayQuery& query) : parts_(parts), query_(query) {
+    Search(const Geometry::Parts& parts, const RayQuery& query)
+        : parts_(parts),
+          query_(query),
+          inverse_dd_(1.0 / glm::dot(query.ray.direction, query.ray.direction)),
+          inverse_d_(std::sqrt(inverse_dd_)) {
         t_min_ = query.t_min;
         if (query.origin_leaf == no_leaf) return;
         origin_error_ = std::max(query.origin_error, coordinate_error * largest(query.ray.origin));
-        t_min_ = std::max(
-            t_min_, 4.0 * origin_error_ / std::sqrt(glm::dot(query.ray.direction, query.ray.direction)));
+        t_min_ = std::max(t_min_, 4.0 * origin_error_ * inverse_d_);
     }
 
     double t_min() const { return t_min_; }
 
     template <bool any>
     bool test(const Element& e, double t_max, Crossing& found) const {
-        if ((e.mask & query_.mask) == 0) return false;
+        if ((e.mask & query_.mask) == 0 || passes_by(e, t_max)) return false;
         ShapeRay ray{query_.ray, t_min_, t_max, origin_error_ * e.object_stretch};
         if (e.leaf == query_.origin_leaf) {
             ray.starts_on_surface = true;
@@ -67,10 +70,40 @@ public:
     }
 
 private:
+    /// True if the ray misses the element's ball for sure, within t_min and t_max.
+    bool passes_by(const Element& e, double t_max) const {
+        const Vec3 from = query_.ray.origin - e.center;
+        const double middle = -glm::dot(from, query_.ray.direction) * inverse_dd_;
+        const Vec3 foot = from + middle * query_.ray.direction;
+        const double reach = e.radius * inverse_d_;
+        constexpr double rounding = 1e-13;
+        const double slack = rounding * std::abs(middle);
+        return glm::dot(foot, foot) > e.radius * e.radius + rounding * glm::dot(from, from) ||
+               middle - reach - slack > t_max || middle + reach + slack < t_min_;
+    }
+
     const Geometry::Parts& parts_;
     const RayQuery& query_;
+    double inverse_dd_;
+    double inverse_d_;
     double t_min_ = 0;
     double origin_error_ = 0;
+};
+
+/// Remembers some of the elements that a ray was tested with; an element lies in several cells.
+class Mailbox {
+public:
+    Mailbox() { std::fill(std::begin(slots_), std::end(slots_), no_leaf); }
+    bool is_new(uint32_t element) {
+        uint32_t& slot = slots_[element % size];
+        if (slot == element) return false;
+        slot = element;
+        return true;
+    }
+
+private:
+    static constexpr uint32_t size = 8;
+    uint32_t slots_[size];
 };
 
 void fill_hit(const Geometry::Parts& parts, const RayQuery& query, Hit& hit) {
@@ -107,8 +140,11 @@ bool Geometry::closest(const RayQuery& query, Hit& hit) const {
         hit.crossing = crossing;
     };
     for (const Element& e : p.listed) offer(e);
+    Mailbox seen;
     p.tree.walk(query.ray, search.t_min(), t_best, [&](const uint32_t* elements, uint32_t count) {
-        for (uint32_t i = 0; i < count; ++i) offer(p.treed[elements[i]]);
+        for (uint32_t i = 0; i < count; ++i) {
+            if (seen.is_new(elements[i])) offer(p.treed[elements[i]]);
+        }
         return false;
     });
     if (hit.leaf == no_leaf) return false;
@@ -130,8 +166,10 @@ bool Geometry::occluded(const RayQuery& query, uint32_t& blocker) const {
         blocker = e.leaf;
         return true;
     }
+    Mailbox seen;
     return p.tree.walk(query.ray, search.t_min(), query.t_max, [&](const uint32_t* elements, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
+            if (!seen.is_new(elements[i])) continue;
             const Element& e = p.treed[elements[i]];
             if (!search.test<true>(e, query.t_max, crossing)) continue;
             blocker = e.leaf;

@@ -13,6 +13,9 @@ struct Element {
     bool in_world_space = false;
     bool tests_hits = false;
     float object_stretch = 1;  ///< bound on how lengths grow from world to object
+    /// Ball around what can be hit, a little enlarged; infinite radius where there is none.
+    Vec3 center{0.0};
+    double radius = std::numeric_limits<double>::infinity();
 };
 
 /// Bound on a hit's distance to the true surface: coordinate error times (scale * magnitude + offset).

@@ -34,7 +34,7 @@ bool fits(const Bounds& box) {
     return box.is_finite() && largest(box.lo) < limit && largest(box.hi) < limit;
 }
 
-Element element_of(const Leaf& leaf, uint32_t index, const SolidForest& solids) {
+Element element_of(const Leaf& leaf, uint32_t index, const Bounds& box, const SolidForest& solids) {
     Element e;
     e.shape = leaf.shape.get();
     e.leaf = index;
@@ -44,6 +44,15 @@ Element element_of(const Leaf& leaf, uint32_t index, const SolidForest& solids) 
     e.object_stretch = leaf.in_world_space
                            ? 1.0f
                            : std::nextafter(static_cast<float>(stretch(leaf.object_from_world)), 1e38f);
+    if (fits(box) && !box.is_empty()) {
+        e.center = box.center();
+        const Vec3 half = 0.5 * box.size();
+        const bool is_ball = leaf.in_world_space && leaf.shape->fills_ball();
+        constexpr double rounding = 1.0 + 1e-9;
+        e.radius =
+            rounding * (is_ball ? max_component(0.5 * leaf.shape->bounds().size()) : glm::length(half));
+        if (is_ball) e.center = leaf.shape->bounds().center();
+    }
     return e;
 }
 
@@ -65,7 +74,7 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
         p.all_masks |= leaves[i].mask;
         const Bounds& box = p.flat.boxes[i];
         if (box.is_empty() && !brute_force) continue;
-        const Element e = element_of(leaves[i], i, p.flat.solids);
+        const Element e = element_of(leaves[i], i, box, p.flat.solids);
         if (use_tree && fits(box)) {
             p.treed.push_back(e);
             boxes.push_back(rounded_outward(box));
@@ -79,8 +88,8 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
     if (use_tree) {
         KdOptions options;
         options.block = 1;
-        options.traversal_cost = 0.4;
-        p.tree = KdTree(std::move(boxes), options);
+        options.traversal_cost = 0.8;
+        p.tree = KdTree(boxes, options);
     }
     return geometry;
 }

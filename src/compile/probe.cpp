@@ -36,7 +36,7 @@ void tighten(Bounds& box, const std::vector<ObjectPtr>& list, const Transform& w
     };
     if (common.is_empty() || !common.is_finite()) return;
     if (!box.is_finite()) {
-        box = common;
+        box = intersection(box, common);
     } else if (volume(common) < volume(box)) {
         box = common;
     }

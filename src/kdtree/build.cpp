@@ -46,7 +46,7 @@ constexpr double empty_bonus = 0.8;
 /// [left only | both | both again | right only], so a level costs only its duplicates.
 class KdBuilder {
 public:
-    KdBuilder(KdTree& tree, std::vector<BoxF> boxes, const KdOptions& options,
+    KdBuilder(KdTree& tree, uint32_t count, const KdTree::BoxOf& box_of, const KdOptions& options,
               const KdTree::Clip& clip)
         : tree_(tree), options_(options), clip_(clip) {
         for (size_t n = 0; n < block_costs_.size(); ++n) {
@@ -54,14 +54,14 @@ public:
             block_costs_[n] = options.element_cost * static_cast<double>((n + w - 1) / w);
         }
         BoxF hull = empty_box;
-        references_.reserve(boxes.size() + boxes.size() / 4);
-        for (uint32_t i = 0; i < boxes.size(); ++i) {
-            if (boxes[i].lo[0] > boxes[i].hi[0]) continue;
-            references_.push_back({boxes[i], i});
-            include(hull, boxes[i]);
+        references_.reserve(count + count / 8);
+        for (uint32_t i = 0; i < count; ++i) {
+            const BoxF box = box_of(i);
+            if (box.lo[0] > box.hi[0]) continue;
+            references_.push_back({box, i});
+            include(hull, box);
         }
         if (references_.empty()) return;
-        boxes = {};
         const auto n = static_cast<double>(references_.size());
         const int depth = options.depth >= 0 ? options.depth : static_cast<int>(8.0 + 1.3 * std::log2(n));
         tree_.bounds_ = widened(hull);
@@ -101,7 +101,8 @@ private:
         const double leaf_cost = block_cost(n);
         const Split split = best_split(begin, cell, hull);
         if (split.cost >= leaf_cost) ++allowance.bad_refines;
-        if (split.axis < 0 || allowance.bad_refines > most_bad_refines || (split.cost > 4.0 * leaf_cost && n < 16) ||
+        if (split.axis < 0 || allowance.bad_refines > most_bad_refines ||
+            (split.cost > 4.0 * leaf_cost && n < 16) ||
             (n <= static_cast<size_t>(options_.block) && split.cost >= leaf_cost)) {
             return make_leaf(node, begin);
         }
@@ -151,7 +152,6 @@ private:
                      BoxF& low_hull, BoxF& high_hull) {
         const int a = split.axis;
         const float p = split.plane;
-        straddling_.clear();
         size_t low_end = begin;
         size_t high_begin = references_.size();
         for (size_t i = begin; i < high_begin;) {
@@ -166,24 +166,30 @@ private:
                 ++i;
             }
         }
-        // Now [low | both | high]; a straddling one may turn out to be on one side only when it is cut exactly.
-        for (size_t i = low_end; i < high_begin; ++i) straddling_.push_back(references_[i]);
-        const size_t high_count = references_.size() - high_begin;
-        right_.assign(references_.begin() + static_cast<std::ptrdiff_t>(high_begin), references_.end());
-        references_.resize(low_end);
-        for (Reference r : straddling_) {
-            if (!cut(r, low_cell)) continue;
-            include(low_hull, r.box);
-            references_.push_back(r);
+        // Now [low | both | high]. Both's low parts stay, its high parts go to the end; one that is cut away
+        // is filled from there.
+        size_t middle = low_end;
+        for (size_t i = low_end; i < high_begin; ++i) {
+            Reference low = references_[i];
+            Reference high = low;
+            if (cut(high, high_cell)) {
+                include(high_hull, high.box);
+                references_.push_back(high);
+            }
+            if (cut(low, low_cell)) {
+                include(low_hull, low.box);
+                references_[middle++] = low;
+            }
         }
-        const size_t middle = references_.size();
-        for (Reference r : straddling_) {
-            if (!cut(r, high_cell)) continue;
-            include(high_hull, r.box);
-            references_.push_back(r);
+        for (size_t hole = middle; hole < high_begin; ++hole) {
+            if (references_.size() > high_begin) {
+                references_[hole] = references_.back();
+                references_.pop_back();
+            } else {
+                references_.resize(hole);
+                break;
+            }
         }
-        references_.insert(references_.end(), right_.begin(),
-                           right_.begin() + static_cast<std::ptrdiff_t>(high_count));
         return middle;
     }
 
@@ -300,15 +306,17 @@ private:
     const KdTree::Clip& clip_;
     std::array<double, 128> block_costs_{};  ///< by element count; rounding to blocks matters for few
     std::vector<Reference> references_;
-    std::vector<Reference> straddling_;
-    std::vector<Reference> right_;
     std::vector<float> lows_;
     std::vector<float> highs_;
     std::vector<float> flats_;
 };
 
-KdTree::KdTree(std::vector<BoxF> boxes, const KdOptions& options, const Clip& clip) {
-    KdBuilder(*this, std::move(boxes), options, clip);
+KdTree::KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip) {
+    KdBuilder(*this, count, box_of, options, clip);
 }
+
+KdTree::KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip)
+    : KdTree(
+          static_cast<uint32_t>(boxes.size()), [&](uint32_t i) { return boxes[i]; }, options, clip) {}
 
 }  // namespace rb

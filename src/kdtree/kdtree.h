@@ -37,8 +37,12 @@ public:
     using Clip = std::function<Bounds(uint32_t element, const Bounds& cell)>;
 
     KdTree() = default;
-    /// `clip` may be empty. A box with lo > hi leaves its element out.
-    KdTree(std::vector<BoxF> boxes, const KdOptions& options, const Clip& clip = {});
+    /// The box of each element, asked once; lo > hi leaves the element out.
+    using BoxOf = std::function<BoxF(uint32_t element)>;
+
+    /// `clip` may be empty.
+    KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip = {});
+    KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip = {});
 
     bool is_empty() const { return nodes_.empty(); }
     const Bounds& bounds() const { return bounds_; }
@@ -79,9 +83,14 @@ template <class Leaf>
 bool KdTree::walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const {
     if (nodes_.empty()) return false;
     const Vec3 inverse = 1.0 / ray.direction;
+    // A hit at t_max itself may lie in a cell that rounding puts just behind it.
+    constexpr double hit_rounding = 1e-13;
     double near = t_min;
-    double far = t_max;
+    double far = t_max + t_max * hit_rounding;
     if (!clip_ray(ray, inverse, near, far)) return false;
+    // Plain arrays: a vector's [] with a variable index costs a branch.
+    const double origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+    const double slope[3] = {inverse.x, inverse.y, inverse.z};
     const uint32_t high_first[3] = {std::signbit(inverse.x) ? 1u : 0u, std::signbit(inverse.y) ? 1u : 0u,
                                     std::signbit(inverse.z) ? 1u : 0u};
     struct Waiting {
@@ -98,7 +107,7 @@ bool KdTree::walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf
         const Node node = nodes_[at];
         if (!node.is_leaf()) {
             const int axis = node.axis();
-            const double t = (static_cast<double>(node.plane()) - ray.origin[axis]) * inverse[axis];
+            const double t = (static_cast<double>(node.plane()) - origin[axis]) * slope[axis];
             const double e = std::min(std::abs(t) * rounding, std::numeric_limits<double>::max());
             const uint32_t low = node.value();
             const uint32_t first = low + high_first[axis];
@@ -116,13 +125,14 @@ bool KdTree::walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf
             continue;
         }
         if (node.value() > 0 && leaf(references_.data() + node.plane_or_first, node.value())) return true;
+        const double limit = t_max + t_max * hit_rounding;
         for (;;) {
             if (waiting == 0) return false;
             const Waiting& next = stack[--waiting];
-            if (next.near > t_max) continue;
+            if (next.near > limit) continue;
             at = next.node;
             near = next.near;
-            far = next.far < t_max ? next.far : t_max;
+            far = next.far < limit ? next.far : limit;
             break;
         }
     }

@@ -145,6 +145,12 @@ public:
     /// shows.
     virtual int textures_at(const Crossing&, std::array<TextureWeight, 3>&) const { return 0; }
 
+    /// True for a sphere: the ball in the middle of its box holds it.
+    virtual bool fills_ball() const { return false; }
+
+    /// True if the surface consists of triangles already, so that tessellating it changes nothing.
+    virtual bool is_faceted() const { return false; }
+
     /// A mesh within `tolerance` (object units) of the surface; empty for a shape that has no finite surface.
     virtual std::optional<TriangleMesh> tessellate(double tolerance) const = 0;
 

@@ -91,8 +91,6 @@ public:
         }
         mesh.faces = {{0, 2, 4}, {2, 6, 4}, {1, 5, 3}, {3, 5, 7}, {0, 4, 1}, {1, 4, 5},
                       {2, 3, 6}, {3, 7, 6}, {0, 1, 2}, {1, 3, 2}, {4, 6, 5}, {5, 6, 7}};
-        // Faces are kept so that (P3 - P1) x (P2 - P1) points outward.
-        for (auto& f : mesh.faces) std::swap(f[1], f[2]);
         mesh.error = 1.1e-7 * std::max(max_component(glm::abs(lo_)), max_component(glm::abs(hi_)));
         return mesh;
     }

@@ -41,7 +41,7 @@ bool Frustum::inside(const Vec3& p) const {
 bool Frustum::put_on_parts(const ShapeRay& query, Vec3& o) const {
     const double on_cap0 = std::abs(o.z - profile_.z0);
     const double on_cap1 = std::abs(o.z - profile_.z1);
-    const double on_side = std::abs(std::hypot(o.x, o.y) - std::abs(radius_at(o.z)));
+    const double on_side = std::abs(std::sqrt(o.x * o.x + o.y * o.y) - std::abs(radius_at(o.z)));
     bool side_here = false;
     bool cap0_here = false;
     bool cap1_here = false;

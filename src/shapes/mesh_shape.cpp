@@ -27,39 +27,27 @@ MeshShape::MeshShape(std::string_view keyword, MeshData data, bool brute_force)
     }
     if (brute_force_) return;
     KdOptions options;
-    options.block = 4;
-    options.traversal_cost = 1.0;
-    if (data_.triangles.faces.size() > 200000) options.sweep_below = 0;
-    if (getenv("KB")) options.block = atoi(getenv("KB"));
-    if (getenv("KT")) options.traversal_cost = atof(getenv("KT"));
-    if (getenv("KS")) options.sweep_below = atoi(getenv("KS"));
-    std::vector<bool> slivers;
-    std::vector<BoxF> boxes = face_boxes(slivers);
-    KdTree::Clip clip;
-    if (std::find(slivers.begin(), slivers.end(), true) != slivers.end()) {
-        clip = [&](uint32_t face, const Bounds& cell) {
-            if (!slivers[face]) return cell;
-            return clipped_triangle(vertex(face, 0), vertex(face, 1), vertex(face, 2), cell);
-        };
-    }
-    tree_ = KdTree(std::move(boxes), options, clip);
-}
-
-std::vector<BoxF> MeshShape::face_boxes(std::vector<bool>& slivers) const {
-    std::vector<BoxF> boxes;
-    const auto& faces = data_.triangles.faces;
-    boxes.reserve(faces.size());
-    slivers.resize(faces.size());
-    for (size_t i = 0; i < faces.size(); ++i) {
-        const Vec3f& a = data_.triangles.vertices[faces[i][0]];
-        const Vec3f& b = data_.triangles.vertices[faces[i][1]];
-        const Vec3f& c = data_.triangles.vertices[faces[i][2]];
+    options.block = 8;
+    options.traversal_cost = 1.5;
+    // Sorting every plane of a large mesh costs more than it saves.
+    constexpr size_t large = 100000;
+    if (data_.triangles.faces.size() > large) options.sweep_below = 0;
+    std::vector<bool> slivers(data_.triangles.faces.size());
+    const auto box_of = [&](uint32_t face) {
+        const auto& f = data_.triangles.faces[face];
+        const Vec3f& a = data_.triangles.vertices[f[0]];
+        const Vec3f& b = data_.triangles.vertices[f[1]];
+        const Vec3f& c = data_.triangles.vertices[f[2]];
+        slivers[face] = is_sliver(a, b, c);
         const Vec3f lo = glm::min(glm::min(a, b), c);
         const Vec3f hi = glm::max(glm::max(a, b), c);
-        boxes.push_back({{lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z}});
-        slivers[i] = is_sliver(a, b, c);
-    }
-    return boxes;
+        return BoxF{{lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z}};
+    };
+    const auto clip = [&](uint32_t face, const Bounds& cell) {
+        if (!slivers[face]) return cell;
+        return clipped_triangle(vertex(face, 0), vertex(face, 1), vertex(face, 2), cell);
+    };
+    tree_ = KdTree(static_cast<uint32_t>(data_.triangles.faces.size()), box_of, options, clip);
 }
 
 /// Calls take(face, hit) for the faces that the ray meets in (t_min, t_max] and that are not where it starts;
@@ -67,14 +55,17 @@ std::vector<BoxF> MeshShape::face_boxes(std::vector<bool>& slivers) const {
 template <class Take>
 bool MeshShape::each_candidate(const ShapeRay& ray, const double& t_max, Take&& take) const {
     const WoopRay woop(ray.ray);
+    const Vec3f* vertices = data_.triangles.vertices.data();
+    const auto* faces = data_.triangles.faces.data();
     const auto test = [&](uint32_t face) {
-        const Vec3 a = vertex(face, 0);
-        const Vec3 b = vertex(face, 1);
-        const Vec3 c = vertex(face, 2);
+        const Vec3f& a = vertices[faces[face][0]];
+        const Vec3f& b = vertices[faces[face][1]];
+        const Vec3f& c = vertices[faces[face][2]];
         TriangleHit hit;
         if (!woop.hits(a, b, c, hit) || !(hit.t > ray.t_min && hit.t <= t_max)) return false;
         if (ray.starts_on_surface && face == ray.origin_part) return false;
-        if (ray.origin_error > 0.0 && in_plane(ray.ray.origin, a, b, c, ray.origin_error)) return false;
+        if (ray.origin_error > 0.0 && in_plane(ray.ray.origin, Vec3(a), Vec3(b), Vec3(c), ray.origin_error))
+            return false;
         return take(face, hit);
     };
     if (brute_force_) {
@@ -83,9 +74,9 @@ bool MeshShape::each_candidate(const ShapeRay& ray, const double& t_max, Take&& 
         }
         return false;
     }
-    return tree_.walk(ray.ray, ray.t_min, t_max, [&](const uint32_t* faces, uint32_t count) {
+    return tree_.walk(ray.ray, ray.t_min, t_max, [&](const uint32_t* found, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
-            if (test(faces[i])) return true;
+            if (test(found[i])) return true;
         }
         return false;
     });

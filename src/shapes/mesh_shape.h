@@ -29,6 +29,7 @@ public:
     Bounds bounds() const override { return bounds_; }
     bool inside(const Vec3& p) const override;
     bool is_patch() const override { return !data_.inside_vector; }
+    bool is_faceted() const override { return true; }
     void crossings(const ShapeRay& ray, Crossings& out) const override;
     bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const override;
     bool any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const override;
@@ -45,7 +46,6 @@ private:
     Vec3 vertex(uint32_t face, size_t corner) const {
         return Vec3(data_.triangles.vertices[data_.triangles.faces[face][corner]]);
     }
-    std::vector<BoxF> face_boxes(std::vector<bool>& slivers) const;
     template <class Take>
     bool each_candidate(const ShapeRay& ray, const double& t_max, Take&& take) const;
 

@@ -17,6 +17,8 @@ public:
     std::string_view keyword() const override { return "sphere"; }
     Bounds bounds() const override { return {center_ - radius_, center_ + radius_}; }
 
+    bool fills_ball() const override { return true; }
+
     bool inside(const Vec3& p) const override {
         const Vec3 q = p - center_;
         return glm::dot(q, q) < radius_ * radius_;

@@ -47,6 +47,7 @@ public:
     }
     bool inside(const Vec3&) const override { return false; }
     bool is_patch() const override { return true; }
+    bool is_faceted() const override { return true; }
     bool is_degenerate() const { return degenerate_; }
 
     template <class Sink>

@@ -16,25 +16,30 @@ struct TriangleHit {
 /// edge compute the same two products for it, so no ray passes between them. Needs -ffp-contract=off.
 class WoopRay {
 public:
-    explicit WoopRay(const Ray& ray) : origin_(ray.origin) {
+    explicit WoopRay(const Ray& ray) {
         const Vec3 size = glm::abs(ray.direction);
         kz_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         kx_ = (kz_ + 1) % 3;
         ky_ = (kx_ + 1) % 3;
+        ox_ = ray.origin[kx_];
+        oy_ = ray.origin[ky_];
+        oz_ = ray.origin[kz_];
         sz_ = 1.0 / ray.direction[kz_];
         sx_ = ray.direction[kx_] * sz_;
         sy_ = ray.direction[ky_] * sz_;
     }
 
     /// Edges and vertices belong to every triangle that has them.
-    bool hits(const Vec3& a, const Vec3& b, const Vec3& c, TriangleHit& hit) const {
+    template <class V>
+    bool hits(const V& a, const V& b, const V& c, TriangleHit& hit) const {
         const Sheared s = shear(a, b, c);
         if ((s.u < 0.0 || s.v < 0.0 || s.w < 0.0) && (s.u > 0.0 || s.v > 0.0 || s.w > 0.0)) return false;
         return finish(s, hit);
     }
 
     /// For counting: an edge belongs to exactly one of two neighbours, a vertex to exactly one of its fan.
-    bool hits_once(const Vec3& a, const Vec3& b, const Vec3& c, TriangleHit& hit) const {
+    template <class V>
+    bool hits_once(const V& a, const V& b, const V& c, TriangleHit& hit) const {
         const Sheared s = shear(a, b, c);
         const double side = s.u + s.v + s.w > 0.0 ? 1.0 : -1.0;
         if (!owns(s.u * side, side * (s.cx - s.bx), side * (s.cy - s.by))) return false;
@@ -49,20 +54,19 @@ private:
         double u, v, w;
     };
 
-    Sheared shear(const Vec3& va, const Vec3& vb, const Vec3& vc) const {
-        const Vec3 a = va - origin_;
-        const Vec3 b = vb - origin_;
-        const Vec3 c = vc - origin_;
+    template <class V>
+    Sheared shear(const V& a, const V& b, const V& c) const {
+        // Through pointers: a vector's [] with a variable index costs a branch.
         Sheared s;
-        s.az = a[kz_];
-        s.bz = b[kz_];
-        s.cz = c[kz_];
-        s.ax = a[kx_] - sx_ * s.az;
-        s.ay = a[ky_] - sy_ * s.az;
-        s.bx = b[kx_] - sx_ * s.bz;
-        s.by = b[ky_] - sy_ * s.bz;
-        s.cx = c[kx_] - sx_ * s.cz;
-        s.cy = c[ky_] - sy_ * s.cz;
+        s.az = static_cast<double>((&a.x)[kz_]) - oz_;
+        s.bz = static_cast<double>((&b.x)[kz_]) - oz_;
+        s.cz = static_cast<double>((&c.x)[kz_]) - oz_;
+        s.ax = static_cast<double>((&a.x)[kx_]) - ox_ - sx_ * s.az;
+        s.ay = static_cast<double>((&a.x)[ky_]) - oy_ - sy_ * s.az;
+        s.bx = static_cast<double>((&b.x)[kx_]) - ox_ - sx_ * s.bz;
+        s.by = static_cast<double>((&b.x)[ky_]) - oy_ - sy_ * s.bz;
+        s.cx = static_cast<double>((&c.x)[kx_]) - ox_ - sx_ * s.cz;
+        s.cy = static_cast<double>((&c.x)[ky_]) - oy_ - sy_ * s.cz;
         s.u = s.cx * s.by - s.cy * s.bx;
         s.v = s.ax * s.cy - s.ay * s.cx;
         s.w = s.bx * s.ay - s.by * s.ax;
@@ -73,7 +77,7 @@ private:
         const double sum = s.u + s.v + s.w;
         if (sum == 0.0) return false;
         const double inverse = 1.0 / sum;
-        hit.t = sz_ * (s.u * s.az + s.v * s.bz + s.w * s.cz) * inverse;
+        hit.t = sz_ * ((s.u * s.az + s.v * s.bz + s.w * s.cz) * inverse);
         hit.at = {s.v * inverse, s.w * inverse};
         return true;
     }
@@ -83,7 +87,7 @@ private:
         return edge > 0.0 || (edge == 0.0 && (dy > 0.0 || (dy == 0.0 && dx > 0.0)));
     }
 
-    Vec3 origin_;
+    double ox_, oy_, oz_;
     int kx_, ky_, kz_;
     double sx_, sy_, sz_;
 };

@@ -110,6 +110,25 @@ TEST(Probes, P10DiscWithHole) {
     EXPECT_FALSE(o.inside({0, 0, 0}));
 }
 
+TEST(Probes, P11Torus) {
+    Probe o("torus{2,0.5}");
+    o.hits({2, 3, .1}, -y, {2, .4999938, .1}, {.0049906, .9999875, .0002495});
+    o.hits({5, .1, .2}, -x, {2.4818525, .1, .2}, {.9766299, .2, .0787017});
+    EXPECT_TRUE(o.inside({2.5, 0, 0}));
+}
+
+TEST(Probes, P37QuadricBoxes) {
+    Probe o("quadric{<1,0,1>,<0,0,0>,<0,0,0>,-1 clipped_by{box{-2,2}}}");
+    expect_near(o.extent().lo, {-1, -2, -1}, "min");
+    expect_near(o.extent().hi, {1, 2, 1}, "max");
+}
+
+TEST(Probes, P67InvertedQuadricKeepsItsNormal) {
+    Probe o("quadric{<1,1,1>,<0,0,0>,<0,0,0>,-1 inverse}");
+    o.hits({.3, .4, -5}, z, {.3, .4, -.8660254}, {.3, .4, -.8660254});
+    EXPECT_FALSE(o.inside({0, 0, 0}));
+}
+
 TEST(Probes, P12TriangleOrientation) {
     Probe o("triangle{<0,0,0>,<1,0,0>,<0,1,0>}");
     o.hits({.2, .2, -5}, z, {.2, .2, 0}, {0, 0, -1});

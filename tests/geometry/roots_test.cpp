@@ -1,0 +1,100 @@
+#include "math/roots.h"
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace rb {
+namespace {
+
+std::vector<double> quartic(const std::array<double, 5>& c) {
+    std::array<double, 4> roots{};
+    const double bound = root_bound(c);
+    const int n = solve_quartic(c, -bound, bound, roots);
+    return {roots.begin(), roots.begin() + n};
+}
+
+double value(const std::array<double, 5>& c, double x) {
+    return (((c[0] * x + c[1]) * x + c[2]) * x + c[3]) * x + c[4];
+}
+
+TEST(Roots, QuadraticDoesNotCancel) {
+    std::array<double, 2> r{};
+    ASSERT_EQ(solve_quadratic(1.0, -0.5e8, 1.0, r), 2);
+    EXPECT_DOUBLE_EQ(r[0], 1e-8);
+    EXPECT_DOUBLE_EQ(r[1], 1e8);
+    ASSERT_EQ(solve_quadratic(0.0, 1.0, -4.0, r), 1);
+    EXPECT_DOUBLE_EQ(r[0], 2.0);
+    EXPECT_EQ(solve_quadratic(1.0, 0.0, 1.0, r), 0);
+    EXPECT_EQ(solve_quadratic(0.0, 0.0, 1.0, r), 0);
+    ASSERT_EQ(solve_quadratic(1.0, 0.0, 0.0, r), 1);
+    EXPECT_EQ(r[0], 0.0);
+}
+
+TEST(Roots, CubicFindsAll) {
+    std::array<double, 3> r{};
+    ASSERT_EQ(solve_cubic({1, -6, 11, -6}, 0, 10, r), 3);
+    EXPECT_NEAR(r[0], 1, 1e-14);
+    EXPECT_NEAR(r[1], 2, 1e-14);
+    EXPECT_NEAR(r[2], 3, 1e-14);
+    EXPECT_EQ(solve_cubic({0, 0, 1, -0.5}, 0, 1, r), 1);
+}
+
+// Polynomials that public solvers have lost roots of.
+TEST(Roots, KnownHardQuartics) {
+    EXPECT_EQ(quartic({1, -240, 25449, -1325880, 26471900.25}).size(), 2u);
+    const auto sturm = quartic({1, -7, 0, 7, -1});
+    ASSERT_EQ(sturm.size(), 4u);
+    EXPECT_NEAR(sturm[3], 6.854101966249685, 1e-12);
+    EXPECT_EQ(quartic({1, 0, 0, 1, 1}).size(), 0u);
+    EXPECT_EQ(quartic({1, 0, 0, -1, -1}).size(), 2u);
+    for (const double tail : {1e-12, 1e-28}) {
+        const auto roots = quartic({1, -1, 0, 0, -tail});
+        ASSERT_EQ(roots.size(), 2u);
+        EXPECT_NEAR(roots[1], 1.0, 1e-11);
+    }
+    const std::array<double, 5> torus{1, -202.35, 15343, -516680, 6.52025e6};
+    for (const double x : quartic(torus)) EXPECT_NEAR(value(torus, x) / 6.52025e6, 0.0, 1e-12);
+}
+
+TEST(Roots, RandomQuarticsKeepSimpleRoots) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> place(-1, 1);
+    int lost = 0;
+    for (int i = 0; i < 100000; ++i) {
+        std::array<double, 4> wanted{place(random), place(random), place(random), place(random)};
+        std::sort(wanted.begin(), wanted.end());
+        double gap = 1;
+        for (size_t k = 0; k < 3; ++k) gap = std::min(gap, wanted[k + 1] - wanted[k]);
+        if (gap < 1e-3) continue;
+        const double a = wanted[0], b = wanted[1], c = wanted[2], d = wanted[3];
+        const std::array<double, 5> p{1, -(a + b + c + d), a * b + a * c + a * d + b * c + b * d + c * d,
+                                      -(a * b * c + a * b * d + a * c * d + b * c * d), a * b * c * d};
+        std::array<double, 4> got{};
+        const int n = solve_quartic(p, -1.5, 1.5, got);
+        if (n != 4) {
+            ++lost;
+            continue;
+        }
+        for (size_t k = 0; k < 4; ++k)
+            ASSERT_NEAR(got[k], wanted[k], 1e-13 / (gap * gap * gap) * 1e-2 + 1e-13);
+    }
+    EXPECT_EQ(lost, 0);
+}
+
+TEST(Roots, PairsOfCloseRoots) {
+    // (x - 1/4)(x - 1/4 - e)(x^2 + 1): the two roots must be seen as long as doubles can tell them apart.
+    for (const double e : {1e-2, 1e-4, 1e-6, 1e-7}) {
+        const double s = 0.5 + e;
+        const double p = 0.25 * (0.25 + e);
+        const auto roots = quartic({1, -s, p + 1, -s, p});
+        ASSERT_EQ(roots.size(), 2u) << e;
+        EXPECT_NEAR(roots[0], 0.25, 1e-15 / e);
+        EXPECT_NEAR(roots[1], 0.25 + e, 1e-15 / e);
+    }
+}
+
+}  // namespace
+}  // namespace rb

@@ -1,0 +1,294 @@
+// What must hold for every shape of the registry, each on its own example statement.
+#include "compile/geometry.h"
+#include "shapes/registry.h"
+#include "tests/geometry/statement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace rb {
+namespace {
+
+ObjectPtr placed(std::string_view text, const Transform& map) {
+    auto object = std::make_shared<Object>(*object_from(text));
+    transform_object(*object, map);
+    return object;
+}
+
+World world_of(const std::vector<ObjectPtr>& objects, bool brute_force = false) {
+    Scene scene;
+    scene.objects = objects;
+    scene.default_texture = plain_texture();
+    Diagnostics diagnostics;
+    CompileOptions options;
+    options.brute_force = brute_force;
+    return compile(scene, options, diagnostics);
+}
+
+class Dice {
+public:
+    explicit Dice(unsigned seed) : random_(seed) {}
+    double unit() { return unit_(random_); }
+    Vec3 direction() { return glm::normalize(Vec3{normal_(random_), normal_(random_), normal_(random_)}); }
+    Vec3 point(double half) { return Vec3{2 * unit() - 1, 2 * unit() - 1, 2 * unit() - 1} * half; }
+
+private:
+    std::mt19937 random_;
+    std::uniform_real_distribution<double> unit_{0, 1};
+    std::normal_distribution<double> normal_;
+};
+
+class EveryShape : public testing::TestWithParam<const ShapeKind*> {
+protected:
+    const ShapeKind& kind() const { return *GetParam(); }
+    ShapePtr shape() const { return std::get<ShapePtr>(object_from(kind().example)->geometry); }
+    bool infinite() const { return !shape()->bounds().is_finite(); }
+};
+
+/// A ray from afar towards the shape (or to the plane), and a hit on it.
+bool random_hit(const World& world, Dice& dice, double scale, const Vec3& offset, Hit& hit) {
+    RayQuery query;
+    query.mask = seen_by_trace;
+    const Vec3 d = dice.direction();
+    query.ray = {offset + scale * (dice.point(0.6) - 3.0 * d), d};
+    return world.geometry->closest(query, hit);
+}
+
+TEST_P(EveryShape, HitsLieOnTheSurfaceWithUnitNormals) {
+    const World world = world_of({placed(kind().example, {})});
+    const ShapePtr s = shape();
+    Dice dice(1);
+    int hits = 0;
+    for (int i = 0; i < 5000; ++i) {
+        Hit hit;
+        if (!random_hit(world, dice, 1, Vec3{0.0}, hit)) continue;
+        ++hits;
+        EXPECT_NEAR(glm::length(hit.normal), 1.0, 1e-12);
+        if (s->is_patch() || s->keyword() == "disc") continue;
+        constexpr double step = 1e-6;
+        EXPECT_FALSE(s->inside(hit.point + step * hit.normal));
+        EXPECT_TRUE(s->inside(hit.point - step * hit.normal));
+    }
+    EXPECT_GT(hits, 500);
+}
+
+TEST_P(EveryShape, BoundsHoldEveryHit) {
+    Dice dice(2);
+    for (int trial = 0; trial < 20; ++trial) {
+        const Transform map =
+            then(Transform::scaling(Vec3{1.0} + dice.point(0.7)), Transform::rotation_deg(dice.point(180)));
+        const ShapePtr moved = shape()->transformed(map);
+        if (!moved) continue;
+        const Bounds box = moved->bounds();
+        for (int i = 0; i < 500; ++i) {
+            const Vec3 d = dice.direction();
+            Crossings all;
+            const ShapeRay ray{{dice.point(0.6) - 5.0 * d, d}};
+            moved->crossings(ray, all);
+            for (size_t k = 0; k < all.size(); ++k) {
+                const Vec3 p = ray.ray.at(all[k].t);
+                for (int a = 0; a < 3; ++a) {
+                    EXPECT_GE(p[a], box.lo[a] - 1e-13);
+                    EXPECT_LE(p[a], box.hi[a] + 1e-13);
+                }
+            }
+        }
+    }
+}
+
+TEST_P(EveryShape, CrossingsAlternateAndAgreeWithInside) {
+    const ShapePtr s = shape();
+    if (s->is_patch() || s->keyword() == "disc") GTEST_SKIP() << "no solid of its own";
+    Dice dice(3);
+    int odd = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 d = dice.direction();
+        const ShapeRay ray{{dice.point(0.6) - 5.0 * d, d}};
+        Crossings all;
+        s->crossings(ray, all);
+        std::vector<double> t;
+        for (size_t k = 0; k < all.size(); ++k) t.push_back(all[k].t);
+        std::sort(t.begin(), t.end());
+        if (!infinite() && t.size() % 2 != 0) ++odd;
+        bool in = s->inside(ray.ray.origin);
+        for (size_t k = 0; k + 1 < t.size(); ++k) {
+            in = !in;
+            const double gap = t[k + 1] - t[k];
+            if (gap > 1e-6) {
+                EXPECT_EQ(s->inside(ray.ray.at(t[k] + 0.5 * gap)), in);
+            }
+        }
+        Crossing nearest;
+        EXPECT_EQ(s->closest(ray, nullptr, nearest), !t.empty());
+        if (!t.empty()) {
+            EXPECT_EQ(nearest.t, t.front());
+        }
+    }
+    EXPECT_EQ(odd, 0);
+}
+
+/// From a hit: outward rays enter before they leave, inward rays leave first; nothing lies at the origin.
+void expect_no_self_hits(const World& world, double scale, const Vec3& offset, bool solid) {
+    Dice dice(4);
+    int wrong = 0;
+    int restarts = 0;
+    for (int i = 0; i < 3000; ++i) {
+        Hit hit;
+        if (!random_hit(world, dice, scale, offset, hit)) continue;
+        const Vec3 n = hit.normal;
+        const Vec3 along = glm::normalize(glm::cross(n, dice.direction()));
+        for (const double sine : {1.0, -1.0, 0.3, -0.3, 1e-3, -1e-3, 1e-6, -1e-6}) {
+            RayQuery query;
+            query.mask = seen_by_trace;
+            query.ray = {hit.point, glm::normalize(sine * n + std::sqrt(1 - sine * sine) * along)};
+            query.origin_leaf = hit.leaf;
+            query.origin_error = hit.error;
+            if (i % 2) query.origin_part = hit.crossing.part;
+            ++restarts;
+            Hit next;
+            if (!world.geometry->closest(query, next)) {
+                // Inside a solid something must come.
+                if (solid && sine < -1e-4) ++wrong;
+                continue;
+            }
+            if (!solid) {
+                ++wrong;
+                continue;
+            }
+            const double facing = glm::dot(query.ray.direction, next.normal);
+            if (std::abs(facing) > 1e-7 && (facing < 0.0) != (sine > 0.0)) ++wrong;
+            if (next.t <= 0.0) ++wrong;
+        }
+    }
+    EXPECT_GT(restarts, 1000);
+    EXPECT_EQ(wrong, 0) << "scale " << scale << ", offset " << offset.x << ", of " << restarts;
+}
+
+TEST_P(EveryShape, NoSelfHitsAtAnyScale) {
+    const bool solid = !shape()->is_patch() && !infinite() && shape()->keyword() != "disc";
+    const Transform turn = then(Transform::scaling({1, 0.8, 1.1}), Transform::rotation_deg({20, 30, 40}));
+    for (const Transform& base : {Transform{}, turn}) {
+        for (const double scale : {1e-6, 1.0, 1e6}) {
+            for (const double sizes : {0.0, 1e5}) {
+                const Vec3 offset = scale * sizes * Vec3{1, 0.3, -0.7};
+                const Transform map =
+                    then(then(base, Transform::scaling(Vec3{scale})), Transform::translation(offset));
+                // Mesh vertices are single precision before any transformation, so an offset keeps their
+                // shape.
+                expect_no_self_hits(world_of({placed(kind().example, map)}), scale, offset, solid);
+            }
+        }
+    }
+}
+
+TEST_P(EveryShape, TransformedIsTheSameAsATransformBesideIt) {
+    if (kind().keyword == "smooth_triangle")
+        GTEST_SKIP() << "the language normalises its vertex normals again";
+    Dice dice(5);
+    const Transform map =
+        then(then(Transform::scaling({1.3, 0.7, 0.9}), Transform::rotation_deg({15, 25, 35})),
+             Transform::translation({0.3, -0.2, 0.1}));
+    const ShapePtr s = shape();
+    for (const Transform& t :
+         {map, then(Transform::scaling(Vec3{-1.7}), Transform::translation({1, 2, 3}))}) {
+        const ShapePtr moved = s->transformed(t);
+        if (!moved) continue;
+        for (int i = 0; i < 1000; ++i) {
+            const Vec3 d = dice.direction();
+            const Vec3 from = t.point(dice.point(0.6)) - 5.0 * d;
+            Crossing a, b;
+            const bool hit = moved->closest(ShapeRay{{from, d}}, nullptr, a);
+            const bool wanted =
+                s->closest(ShapeRay{{t.inverse_point(from), t.inverse_direction(d)}}, nullptr, b);
+            EXPECT_EQ(hit, wanted);
+            if (!hit || !wanted) continue;
+            EXPECT_NEAR(a.t, b.t, 1e-10);
+            const Vec3 n = glm::normalize(moved->normal(from + a.t * d, a));
+            const Vec3 m = glm::normalize(t.normal(s->normal(t.inverse_point(from + b.t * d), b)));
+            // Triangles may turn over (language rule).
+            EXPECT_NEAR(std::abs(glm::dot(n, m)), 1.0, 1e-8);
+            if (!s->is_patch()) {
+                EXPECT_GT(glm::dot(n, m), 0.0);
+            }
+        }
+    }
+}
+
+/// Distance to the true surface along the ray through `p` along the normal direction `n`.
+double distance_along(const Shape& s, const Vec3& p, const Vec3& n) {
+    double best = std::numeric_limits<double>::infinity();
+    for (const double sign : {1.0, -1.0}) {
+        Crossing c;
+        if (s.closest(ShapeRay{{p, sign * n}}, nullptr, c)) best = std::min(best, c.t);
+    }
+    return best;
+}
+
+TEST_P(EveryShape, TessellationIsClosedOutwardAndWithinItsBound) {
+    const ShapePtr s = shape();
+    for (const double tolerance : {0.02, 0.001}) {
+        const auto mesh = s->tessellate(tolerance);
+        if (infinite()) {
+            EXPECT_FALSE(mesh.has_value());
+            return;
+        }
+        ASSERT_TRUE(mesh.has_value());
+        EXPECT_FALSE(mesh->faces.empty());
+        EXPECT_LE(mesh->error, 1.01 * tolerance + 1e-6);
+        const bool solid = !s->is_patch() && s->keyword() != "disc";
+        std::map<std::pair<uint32_t, uint32_t>, int> edges;
+        double volume = 0;
+        for (const auto& f : mesh->faces) {
+            for (size_t k = 0; k < 3; ++k) ++edges[{f[k], f[(k + 1) % 3]}];
+            const Vec3 a(mesh->vertices[f[0]]), b(mesh->vertices[f[1]]), c(mesh->vertices[f[2]]);
+            volume += glm::dot(a, glm::cross(c, b)) / 6;
+            EXPECT_NE(glm::cross(b - a, c - a), Vec3{0.0});
+        }
+        for (const auto& [edge, count] : edges) {
+            EXPECT_EQ(count, 1);
+            if (solid) {
+                EXPECT_EQ(edges.count({edge.second, edge.first}), 1u);
+            }
+        }
+        if (solid) {
+            EXPECT_GT(volume, 0.0);
+        }
+        Dice dice(6);
+        for (int i = 0; i < 4000; ++i) {
+            const auto& f =
+                mesh->faces[static_cast<size_t>(dice.unit() * static_cast<double>(mesh->faces.size()))];
+            double u = dice.unit(), v = dice.unit();
+            if (u + v > 1) u = 1 - u, v = 1 - v;
+            const Vec3 a(mesh->vertices[f[0]]), b(mesh->vertices[f[1]]), c(mesh->vertices[f[2]]);
+            const Vec3 p = a + u * (b - a) + v * (c - a);
+            const Vec3 n = glm::normalize(glm::cross(c - a, b - a));
+            // Looking along the facet's normal can only overrate the distance.
+            const double d = distance_along(*s, p + 1e-9 * n, n);
+            if (std::isfinite(d)) {
+                EXPECT_LE(d, 1.2 * mesh->error + 2e-9);
+            }
+        }
+    }
+}
+
+TEST_P(EveryShape, NonsenseArgumentsAreRefusedOrHarmless) {
+    Crossing c;
+    const ShapePtr s = shape();
+    for (const Vec3& d : {Vec3{0, 0, 1}, Vec3{0, -0.0, 1}, Vec3{-0.0, 1, 0}, Vec3{1, 0, 0}}) {
+        const ShapeRay ray{{{0.01, 0.02, -1e9 * d.z}, d}};
+        if (s->closest(ray, nullptr, c)) {
+            EXPECT_TRUE(std::isfinite(c.t));
+        }
+    }
+    EXPECT_FALSE(s->describe().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryShape, testing::ValuesIn(all_shapes().begin(), all_shapes().end()),
+                         [](const auto& test) { return std::string(test.param->keyword); });
+
+}  // namespace
+}  // namespace rb
