@@ -160,8 +160,7 @@ void TokenStream::do_version(SourceRange where) {
     }
     session_.language_version = static_cast<int>(100 * value + 0.5);
     session_.version_seen = true;
-    GlobalSettings& settings = session_.scene.settings;
-    if (!session_.noise_generator_set) settings.noise_generator = session_.language_version < 350 ? 1 : 2;
+    if (!session_.noise_generator_set) session_.set_noise_generator(session_.language_version < 350 ? 1 : 2);
     if (!parser.take_if(Tok::semicolon)) session_.warn(where, "Expected ';' after #version");
 }
 
@@ -347,9 +346,25 @@ void TokenStream::do_case(bool is_range, uint32_t hash, SourceRange where) {
     skip_branches(waiting, where);
 }
 
+void TokenStream::read_macro_head(Macro& macro) {
+    raw_expect(Tok::lparen, "(");
+    while (raw_peek().kind != Tok::rparen) {
+        const Token token = raw_next();
+        const bool slot_word = token.kind == Tok::word;
+        if (!slot_word || (Words::is_keyword(token.aux) && Words::kind(token.aux) != Tok::keyword)) {
+            session_.fail(range(token), fmt::format("Expected 'identifier', {} found instead", found(token)));
+        }
+        macro.parameters.push_back(token.aux);
+        if (macro.parameters.size() > 55) session_.fail(range(token), "Too many parameters");
+        if (raw_peek().kind == Tok::comma) raw_next();
+    }
+    raw_expect(Tok::rparen, ")");
+}
+
 void TokenStream::do_macro(uint32_t hash, SourceRange where) {
     if (session_.language_version < 310) session_.fail(where, "Macros require #version 3.1 or later.");
     auto macro = std::make_shared<Macro>();
+    const uint32_t end = skip_from(hash, where);
     const SourceRange at = range(raw_peek());
     const uint32_t name = raw_name("undeclared identifier");
     macro->name = std::string(session_.words.spelling(name));
@@ -359,21 +374,16 @@ void TokenStream::do_macro(uint32_t hash, SourceRange where) {
         session_.fail(
             at, fmt::format("Expected 'undeclared identifier', {} found instead", kind_name(known.value())));
     }
-    raw_expect(Tok::lparen, "(");
-    while (raw_peek().kind != Tok::rparen) {
-        const Token token = raw_next();
-        const bool slot_word = token.kind == Tok::word;
-        if (!slot_word || (Words::is_keyword(token.aux) && Words::kind(token.aux) != Tok::keyword)) {
-            session_.fail(range(token), fmt::format("Expected 'identifier', {} found instead", found(token)));
-        }
-        macro->parameters.push_back(token.aux);
-        if (macro->parameters.size() > 55) session_.fail(range(token), "Too many parameters");
-        if (raw_peek().kind == Tok::comma) raw_next();
+    try {
+        read_macro_head(*macro);
+    } catch (const SceneError&) {
+        jump(end + 2);
+        if (!session_.symbols.find(name)) session_.symbols.create_global(name)->value = Poison{};
+        throw;
     }
-    raw_expect(Tok::rparen, ")");
     macro->file = top().tokens;
     macro->body_begin = top().at;
-    macro->body_end = skip_from(hash, where);
+    macro->body_end = end;
     jump(macro->body_end + 2);
     const SlotPtr slot = macro_before ? known.slot : session_.symbols.create_global(name);
     slot->value = MacroPtr(std::move(macro));

@@ -192,7 +192,9 @@ void FunctionBuilder::close_loop() {
 
 void FunctionBuilder::set_internal(const Operand& number) {
     const double value = to_float(number);
-    FunctionPtr function = value >= 0 && value < 1000 ? internal_function(static_cast<int>(value)) : nullptr;
+    FunctionPtr function = value >= 0 && value < 1000
+                               ? internal_function(static_cast<int>(value), session_.noise_generator)
+                               : nullptr;
     if (!function) {
         session_.fail(number.where, fmt::format("Function 'internal({:g})' does not exist.", value));
     }

@@ -82,7 +82,8 @@ private:
     int parameters_;
 };
 
-/// `internal(number)`: the built-in surfaces of functions.inc. Null if there is no such number.
-FunctionPtr internal_function(int number);
+/// `internal(number)`: the built-in surfaces of functions.inc. Null if there is no such number. The scene's
+/// noise generator may still change.
+FunctionPtr internal_function(int number, std::shared_ptr<const int> noise_generator);
 
 }  // namespace rb

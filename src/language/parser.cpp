@@ -118,7 +118,12 @@ double Parser::number() { return to_float(sum()); }
 
 std::string Parser::text() {
     ParseState state(session_);
+    // What follows a string must not run before the string is used.
+    peek();
+    const bool locked = session_.stream.locked;
+    lock(true);
     if (!run<grammar::sum>(*input_, state)) fail_expected("string expression");
+    lock(locked);
     return to_text(state.top());
 }
 

@@ -114,7 +114,7 @@ bool take_number(Session& session, BlockReader& in) {
     } else if (in.take_word("mm_per_unit")) {
         settings.mm_per_unit = in.number();
     } else if (in.take_word("noise_generator")) {
-        settings.noise_generator = in.integer();
+        session.set_noise_generator(in.integer());
         session.noise_generator_set = true;
         if (settings.noise_generator < 1 || settings.noise_generator > 3) {
             in.fail_at(at, "Value for noise_generator in global_settings must be 1, 2, or 3.");

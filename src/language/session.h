@@ -46,6 +46,12 @@ struct Session {
     int language_version = 370;
     bool version_seen = false;
     bool noise_generator_set = false;
+    /// Shared with functions that look at it when they are called.
+    std::shared_ptr<int> noise_generator = std::make_shared<int>(2);
+    void set_noise_generator(int generator) {
+        scene.settings.noise_generator = generator;
+        *noise_generator = generator;
+    }
     Charset charset = Charset::ascii;
     TexturePtr default_texture;
     CameraDraft default_camera;

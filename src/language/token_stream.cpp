@@ -264,8 +264,7 @@ void TokenStream::recover() {
         if (token.kind == Tok::rbrace) --depth;
     };
     if (same_frame && marked_at_ <= frame.at) {
-        for (uint32_t i = marked_at_ > 0 ? marked_at_ - 1 : 0; i < frame.at; ++i)
-            weigh(frame.tokens->tokens[i]);
+        for (uint32_t i = marked_at_; i < frame.at; ++i) weigh(frame.tokens->tokens[i]);
     }
     while (frame.at < frame.end && depth > 0) weigh(frame.tokens->tokens[frame.at++]);
     // Then on to something that can begin a statement or a directive.

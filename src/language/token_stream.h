@@ -115,6 +115,7 @@ private:
     void do_for(uint32_t hash, SourceRange where);
     void do_end(SourceRange where);
     void do_break(SourceRange where);
+    void read_macro_head(Macro& macro);
     void do_macro(uint32_t hash, SourceRange where);
     void do_fopen(SourceRange where);
     void do_fclose();
