@@ -44,6 +44,10 @@ public:
     KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip = {});
     KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip = {});
 
+    /// Renumbers the elements in the order in which the cells hold them, so that neighbours lie together in
+    /// memory; returns the old number of each new one (elements in no cell are gone).
+    std::vector<uint32_t> renumber();
+
     bool is_empty() const { return nodes_.empty(); }
     const Bounds& bounds() const { return bounds_; }
     size_t node_count() const { return nodes_.size(); }
