@@ -96,7 +96,7 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
     if (use_tree) {
         KdOptions options;
         options.block = 1;
-        options.traversal_cost = 1.2;
+        options.traversal_cost = 1.6;
         p.tree = KdTree(boxes, options);
         for (const uint32_t old : p.tree.renumber()) add(treed[old]);
     }
