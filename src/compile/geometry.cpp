@@ -64,9 +64,29 @@ public:
                middle - reach - slack > t_max || middle + reach + slack < t_min_;
     }
 
+    /// The same for a listed element.
+    bool listed_passes_by(uint32_t element, double t_max) const {
+        const PlaneTest& plane = parts_.planes[element];
+        if (plane.normal == Vec3{0.0}) return passes_by(element, t_max);
+        const double height = plane.distance - glm::dot(plane.normal, query_.ray.origin);
+        const double slope = glm::dot(plane.normal, query_.ray.direction);
+        constexpr double rounding = 1.0 - 1e-13;
+        return (height < 0.0) != (slope < 0.0) || std::abs(height) * rounding > std::abs(slope) * t_max;
+    }
+
+    template <bool any>
+    bool test_listed(uint32_t element, double t_max, Crossing& found) const {
+        return !listed_passes_by(element, t_max) && test_passed<any>(element, t_max, found);
+    }
+
     template <bool any>
     bool test(uint32_t element, double t_max, Crossing& found) const {
-        if (passes_by(element, t_max)) return false;
+        return !passes_by(element, t_max) && test_passed<any>(element, t_max, found);
+    }
+
+private:
+    template <bool any>
+    bool test_passed(uint32_t element, double t_max, Crossing& found) const {
         const Element& e = parts_.elements[element];
         if ((e.mask & query_.mask) == 0) return false;
         ShapeRay ray{query_.ray, t_min_, t_max, origin_error_ * e.object_stretch};
@@ -85,7 +105,6 @@ public:
         return any ? e.shape->any(ray, &filter, found) : e.shape->closest(ray, &filter, found);
     }
 
-private:
     const Geometry::Parts& parts_;
     const RayQuery& query_;
     double inverse_dd_;
@@ -136,19 +155,21 @@ bool Geometry::closest(const RayQuery& query, Hit& hit) const {
     double t_best = query.t_max;
     hit.leaf = no_leaf;
     Crossing crossing;
-    const auto offer = [&](uint32_t element) {
-        if (!search.test<false>(element, t_best, crossing)) return;
+    const auto take = [&](uint32_t element) {
         const uint32_t leaf = p.elements[element].leaf;
         if (hit.leaf != no_leaf && crossing.t == t_best && leaf >= hit.leaf) return;
         t_best = crossing.t;
         hit.leaf = leaf;
         hit.crossing = crossing;
     };
-    for (uint32_t i = 0; i < p.listed; ++i) offer(i);
+    for (uint32_t i = 0; i < p.listed; ++i) {
+        if (search.test_listed<false>(i, t_best, crossing)) take(i);
+    }
     Mailbox seen;
     p.tree.walk(query.ray, search.t_min(), t_best, [&](const uint32_t* elements, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
-            if (seen.is_new(elements[i])) offer(p.listed + elements[i]);
+            const uint32_t element = p.listed + elements[i];
+            if (seen.is_new(element) && search.test<false>(element, t_best, crossing)) take(element);
         }
         return false;
     });
@@ -162,7 +183,9 @@ bool Geometry::occluded(const RayQuery& query, uint32_t& blocker) const {
     const Search search(p, query);
     Crossing crossing;
     const auto blocks = [&](uint32_t element) {
-        if (!search.test<true>(element, query.t_max, crossing)) return false;
+        const bool hit = element < p.listed ? search.test_listed<true>(element, query.t_max, crossing)
+                                            : search.test<true>(element, query.t_max, crossing);
+        if (!hit) return false;
         blocker = p.elements[element].leaf;
         return true;
     };

@@ -22,6 +22,12 @@ struct Ball {
     float radius = std::numeric_limits<float>::infinity();
 };
 
+/// What stands for a ball where an element is an infinite plane in world space: normal 0 means none.
+struct PlaneTest {
+    Vec3 normal{0.0};
+    double distance = 0;
+};
+
 /// Bound on a hit's distance to the true surface: coordinate error times (scale * magnitude + offset).
 struct ElementError {
     double scale = 1;
@@ -32,6 +38,7 @@ struct Geometry::Parts {
     FlatGeometry flat;
     std::vector<Element> elements;  ///< listed ones first, then those of the tree
     std::vector<Ball> balls;        ///< parallel to `elements`
+    std::vector<PlaneTest> planes;  ///< of the listed elements
     uint32_t listed = 0;            ///< infinite ones, or all when they are few: no tree
     KdTree tree;                    ///< numbers its elements from `listed` on
     std::vector<uint32_t> element_of_leaf;

@@ -93,6 +93,11 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
         }
     }
     p.listed = static_cast<uint32_t>(p.elements.size());
+    for (const Element& e : p.elements) {
+        PlaneTest plane;
+        if (!brute_force && e.in_world_space) e.shape->as_plane(plane.normal, plane.distance);
+        p.planes.push_back(plane);
+    }
     if (use_tree) {
         KdOptions options;
         options.block = 1;
