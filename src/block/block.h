@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,6 +25,7 @@ struct WrittenColor {
     bool bare = false;             ///< the base had no colour word (`<1,1,0>`, `0.5`, an identifier)
     int word_terms = 0;            ///< 3, 4, 5 for rgb/rgbf/rgbft…; 0 for a bare base
     bool transmit_fourth = false;  ///< rgbt / srgbt: the fourth term is transmit
+    bool color_word = false;       ///< `color` stood first
     Terms base;                    ///< already decoded if the word was one of the srgb family
     std::array<std::optional<double>, 5>
         set;  ///< red, green, blue, filter, transmit given by their own words
@@ -36,6 +38,14 @@ struct Material {
     InteriorPtr interior;
 };
 
+/// A statement that is parsed and checked but has no part in the scene yet (media, rainbow, ...); whoever
+/// puts it into the scene reports it.
+struct ParsedOnly {
+    std::string keyword;
+    SourceRange where;
+};
+using ParsedOnlyPtr = std::shared_ptr<const ParsedOnly>;
+
 /// What an identifier that is not a number, string or array can hold.
 using PigmentMapPtr = std::shared_ptr<const BlendMap<PigmentPtr>>;
 using NormalMapPtr = std::shared_ptr<const BlendMap<NormalPtr>>;
@@ -45,7 +55,7 @@ using Thing = std::variant<std::monostate, ObjectPtr, TexturePtr, PigmentPtr, No
                            InteriorPtr, std::shared_ptr<const Material>, std::shared_ptr<const Camera>,
                            std::shared_ptr<const Transform>, std::shared_ptr<const ColorMap>, PigmentMapPtr,
                            NormalMapPtr, TextureMapPtr, SlopeMapPtr, std::shared_ptr<const Fog>,
-                           std::shared_ptr<const SkySphere>, FunctionPtr>;
+                           std::shared_ptr<const SkySphere>, FunctionPtr, ParsedOnlyPtr>;
 
 struct Block;
 
@@ -64,7 +74,10 @@ struct Item {
     uint32_t first = 0;
     uint32_t count = 0;
     int terms = 0;
+    bool bracketed = false;  ///< numbers: one `<...>` of more than five values (matrix, quartic), terms is 1
     std::shared_ptr<const WrittenColor> color;
+    std::shared_ptr<const std::string>
+        raw;  ///< text: the literal with its escapes, for file names; null if equal
     Thing thing;
     std::shared_ptr<const Block> block;
 };
@@ -80,6 +93,8 @@ struct Block {
 /// Text of a block for `--dump blocks`.
 std::string dump(const Block& block, int indent = 0);
 
+struct Session;
+
 /// Defaults that `#default` edits, and the facts that readers depend on at one place of the scene.
 struct ReadContext {
     Diagnostics* diagnostics = nullptr;
@@ -89,6 +104,12 @@ struct ReadContext {
     int effective_version = 362;
     /// Reads `texture { ... }` where a shape carries textures of its own (mesh2); set by the language.
     TexturePtr (*read_texture)(const Block& block, const ReadContext& context) = nullptr;
+    /// The same for what a pattern or shape holds besides: pigments, objects, and files (their path if
+    /// found).
+    PigmentPtr (*read_pigment)(const Block& block, const ReadContext& context) = nullptr;
+    ObjectPtr (*read_object)(const Block& block, const ReadContext& context) = nullptr;
+    std::optional<std::string> (*find_file)(const ReadContext& context, const std::string& name) = nullptr;
+    Session* session = nullptr;  ///< the front end's own; opaque here
 };
 
 }  // namespace rb

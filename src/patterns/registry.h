@@ -12,7 +12,7 @@ namespace rb {
 struct PatternKind {
     std::string_view keyword;
     /// Reads what must stand directly after the keyword (`gradient <v>`), the keyword itself is already
-    /// taken.
+    /// taken; only a keyword that opens a block (`slope { ... }`) is left for it.
     PatternPtr (*read)(BlockReader& in);
     /// For patterns whose own parameters may stand among the modifiers (`brick_size`, `control0`): takes the
     /// next parameter and returns the changed pattern, or null if the next item is not one of its parameters.
@@ -20,11 +20,11 @@ struct PatternKind {
     /// Number of list entries for patterns with a list of colours or textures (checker 2, hexagon 3); 0:
     /// continuous.
     int list_size = 0;
-    std::span<const Color> default_list;  ///< colours of missing list entries
-    ColorMap (*default_map)() = nullptr;  ///< null: black to white
+    std::span<const Color> default_list = {};  ///< colours of missing list entries
+    ColorMap (*default_map)() = nullptr;       ///< null: black to white
     Wave default_wave = Wave::ramp;
     float default_frequency = 1;
-    std::string_view example;
+    std::string_view example = {};
 };
 
 std::span<const PatternKind* const> all_patterns();

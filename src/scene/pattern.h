@@ -2,6 +2,7 @@
 #include "math/transform.h"
 #include "scene/color.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -64,11 +65,22 @@ struct PatternModifiers {
     const TurbulenceWarp* classic_turbulence() const;
 };
 
+/// The places on surfaces that a batch of pattern points belongs to, for what depends on more than a point
+/// (slope, aoi, uv_mapping). World space.
+struct SurfaceSamples {
+    std::span<const Vec3> points;
+    std::span<const Vec3> normals;     ///< unit, turned towards the ray, perturbed by what came before
+    std::span<const Vec3> directions;  ///< unit, of the arriving ray
+    std::span<const Vec2> uv;
+};
+
 /// What a pattern may ask for besides the points.
 struct PatternContext {
     const PatternModifiers& modifiers;
     int noise_generator = 2;  ///< resolved, 1..3
     int number_of_waves = 10;
+    const SurfaceSamples* surface = nullptr;  ///< null where there is no surface (sky, functions)
+    std::span<const uint32_t> rows;           ///< for each point its row in `surface`
 };
 
 /// A scalar field over space: `bozo`, `checker`, ... Immutable and shared.
@@ -80,6 +92,23 @@ public:
     /// after.
     virtual void evaluate(const PatternContext& context, std::span<const Vec3> points,
                           std::span<double> values) const = 0;
+    /// The pattern's own rule for `normal` statements (manual 3.4.6.2.3): adds to the unit normals at warped
+    /// points. False: it has none, and the slope of its values is taken.
+    virtual bool perturb(const PatternContext&, float /*amount*/, std::span<const Vec3> /*points*/,
+                         std::span<Vec3> /*normals*/) const {
+        return false;
+    }
+    /// True if classic turbulence acts inside the formula only and does not move the points (marble, wood).
+    virtual bool keeps_turbulence() const { return false; }
+    /// False if this instance wants the black to white map although its kind has a default map.
+    virtual bool takes_default_map() const { return true; }
+    /// True if it asks for PatternContext::surface.
+    virtual bool needs_surface() const { return false; }
+    /// A version made ready for rendering under these settings (nested pigments compiled), or null if this
+    /// one will do.
+    virtual std::shared_ptr<const Pattern> prepared(int /*noise_generator*/, int /*number_of_waves*/) const {
+        return nullptr;
+    }
     virtual std::string describe() const { return std::string(keyword()); }
 };
 using PatternPtr = std::shared_ptr<const Pattern>;

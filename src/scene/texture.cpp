@@ -21,16 +21,19 @@ PatternModifiers transformed(const PatternModifiers& modifiers, const Transform&
 
 Texture transformed(const Texture& texture, const Transform& map) {
     Texture out = texture;
+    // What is mapped by surface coordinates does not move with the object.
     if (texture.is_patterned()) {
+        if (texture.uv_mapping) return out;
         out.modifiers = transformed(texture.modifiers, map);
         return out;
     }
-    if (texture.pigment && !std::holds_alternative<Color>(texture.pigment->source)) {
+    if (texture.pigment && !texture.pigment->uv_mapping &&
+        !std::holds_alternative<Color>(texture.pigment->source)) {
         auto pigment = std::make_shared<Pigment>(*texture.pigment);
         pigment->modifiers = transformed(pigment->modifiers, map);
         out.pigment = std::move(pigment);
     }
-    if (texture.normal) {
+    if (texture.normal && !texture.normal->uv_mapping) {
         auto normal = std::make_shared<Normal>(*texture.normal);
         normal->modifiers = transformed(normal->modifiers, map);
         out.normal = std::move(normal);

@@ -1,0 +1,57 @@
+#pragma once
+// Right sides of declarations and macro arguments. Language spec 4.2.
+#include "grammar/block.h"
+
+namespace rb::grammar {
+
+struct rvalue;
+
+/// array = "array" "[" sum "]" { "[" sum "]" } [ rows ]
+/// rows = "{" row { [","] row } [","] "}"        a row is a nested list, or a right side in the last
+/// dimension
+struct array_word : word_is<Keyword::array> {};
+struct array_size : if_must<is<Tok::lbracket>, nested<sum, must<bracket_close>>> {};
+struct array_sizes : plus<array_size> {};
+struct array_deep {
+    template <class State>
+    static bool ask(State& state) {
+        return state.array_has_inner_rows();
+    }
+};
+struct rows;
+struct rows_open : is<Tok::lbrace> {};
+struct rows_close : is<Tok::rbrace> {};
+struct array_item : seq<rvalue> {};
+struct row : sor<seq<ask<array_deep>, rows>, array_item> {};
+struct rows : if_must<rows_open, nested<star<row, opt_comma>, must<rows_close>>> {};
+struct array : if_must<array_word, array_sizes, opt<rows>> {};
+
+/// spline = "spline" "{" [ spline identifier ] { spline type | full "," full [","] } "}"
+struct spline_word : word_is<Keyword::spline> {};
+struct spline_value : seq<full> {};
+struct spline_close : is<Tok::rbrace> {};
+struct spline : if_must<spline_word, is<Tok::lbrace>,
+                        nested<star<sor<spline_type, spline_value>, opt_comma>, must<spline_close>>> {};
+
+/// A texture block may be followed by more of them; other blocks stand alone.
+struct value_is_texture {
+    template <class State>
+    static bool ask(State& state) {
+        return state.value_is_texture();
+    }
+};
+
+struct color_value : seq<color> {};
+struct sum_value : seq<sum> {};
+struct block_value : seq<block> {};
+struct texture_follows : word_is<Keyword::texture> {};
+struct layer_block : seq<block> {};
+struct more_layers : star<ask<value_is_texture>, tao::pegtl::at<texture_follows>, layer_block> {};
+/// transform = "transform" transform identifier
+struct transform_value : seq<word_is<Keyword::transform>, sum> {};
+
+/// rvalue = color | array | spline | function | block { texture block } | transform identifier | sum
+struct rvalue : seq<open_next, sor<color_value, array, spline, function_literal,
+                                   seq<block_value, more_layers>, transform_value, sum_value>> {};
+
+}  // namespace rb::grammar

@@ -1,0 +1,10 @@
+// Bounds that are large enough change nothing.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+
+camera { location <0, 2.5, -6> right x*4/3 look_at <0, 0.6, 0> angle 54 }
+light_source { <-6, 9, -8>, rgb 1 }
+plane { y, 0 pigment { checker rgb <0.75, 0.72, 0.65> rgb <0.35, 0.38, 0.42> } }
+
+intersection { sphere { 0, 1 } box { <-2, -0.5, -2>, <2, 0.5, 2> } bounded_by { sphere { 0, 1.01 } } translate y pigment { rgb <0.85, 0.35, 0.2> } finish { specular 0.4 roughness 0.03 } }
+difference { box { -0.5, 0.5 } sphere { 0, 0.62 } bounded_by { box { -0.51, 0.51 } } translate <2, 0.5, 0> pigment { rgb <0.9, 0.75, 0.3> } }

@@ -1,0 +1,14 @@
+// A union hands its texture and transforms down to children without their own.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+
+camera { location <0, 2.5, -6> right x*4/3 look_at <0, 0.6, 0> angle 54 }
+light_source { <-6, 9, -8>, rgb 1 }
+plane { y, 0 pigment { checker rgb <0.75, 0.72, 0.65> rgb <0.35, 0.38, 0.42> } }
+
+union {
+  box { -0.6, 0.6 }
+  sphere { <0, 0.9, 0>, 0.5 }
+  cylinder { <-1.2, 0, 0>, <1.2, 0, 0>, 0.25 pigment { rgb <0.2, 0.5, 0.85> } }
+  rotate y*30 translate y*0.7 pigment { rgb <0.85, 0.35, 0.2> } finish { specular 0.4 roughness 0.03 }
+}

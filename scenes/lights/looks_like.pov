@@ -1,0 +1,10 @@
+// looks_like gives a light a body that casts no shadow.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+
+camera { location <0, 2.5, -6> right x*4/3 look_at <0, 0.6, 0> angle 54 }
+plane { y, 0 pigment { rgb <0.8, 0.8, 0.75> } finish { ambient 0.05 } }
+sphere { <-1.3, 0.8, 0>, 0.8 pigment { rgb 0.8 } }
+box { <-0.5, 0, -0.5>, <0.5, 1.2, 0.5> rotate y*30 translate <1.2, 0, 0.2> pigment { rgb 0.8 } }
+
+light_source { <-0.2, 2.2, -0.6>, rgb 0.9 looks_like { sphere { 0, 0.25 pigment { rgb <1, 0.9, 0.6> } finish { ambient 1 diffuse 0 } } } }

@@ -1,0 +1,145 @@
+// The home of CLI11: the long-option face. What it does not know goes, in order, to the POV-Ray face.
+#include "app/command_line.h"
+
+#include "app/ini_options.h"
+
+#include <filesystem>
+#include <map>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace rb {
+
+namespace {
+
+constexpr std::string_view version_text =
+    "RenderBoy 0.1.0 (reads POV-Ray 3.7 scenes; POV-Ray 3.7 compatible command line)\n";
+
+constexpr std::string_view footer =
+    "POV-Ray's own words are taken too, in any mix: +Iscene.pov +Oout.png +W640 +H480 +A0.3 +AM2 +R3 +J +Q9 "
+    "+FN16 +UA\n"
+    "+L<dir> +WT<n> +SC +EC +SR +ER -D -P -V, Name=value options, file.ini[section].\n\n"
+    "renderboy diff A B compares two pictures; see `renderboy diff --help`.\n"
+    "Exit codes: 0 done, 1 error (or a limit of diff passed), 2 stopped by a signal.";
+
+void set_size(Settings& settings, const std::string& text) {
+    const size_t cross = text.find_first_of("xX");
+    if (cross == std::string::npos) throw UsageError(fmt::format("--size {}: WIDTHxHEIGHT expected", text));
+    set_option(settings, "Width", text.substr(0, cross));
+    set_option(settings, "Height", text.substr(cross + 1));
+}
+
+CommandLine parse_diff(const std::vector<std::string>& arguments) {
+    CommandLine line;
+    line.command = Command::diff;
+    CLI::App app{
+        "Compares two pictures of the same size: RMSE, share of pixels off by more than 8/255, SSIM.",
+        "renderboy diff"};
+    DiffSettings& diff = line.diff;
+    app.add_option("first", diff.first, "a picture")->required();
+    app.add_option("second", diff.second, "another picture")->required();
+    app.add_option("--heat-map", diff.heat_map, "write the difference as a picture");
+    app.add_option("--max-rmse", diff.max_rmse, "exit 1 above this RMSE (in 1/255)");
+    app.add_option("--max-off", diff.max_off,
+                   "exit 1 above this share of pixels off by more than 8/255 (0..1)");
+    app.add_option("--min-ssim", diff.min_ssim, "exit 1 below this structural similarity");
+    app.add_flag("--json", diff.json, "print JSON");
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    try {
+        app.parse(reversed);
+    } catch (const CLI::CallForHelp&) {
+        line.command = Command::help;
+        line.text = app.help();
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+    return line;
+}
+
+/// An argument is split at blanks as the reference does, unless it is the name of a file that exists.
+void apply_argument(Settings& settings, const std::string& argument) {
+    std::error_code ignored;
+    if (argument.find(' ') != std::string::npos && std::filesystem::exists(argument, ignored)) {
+        apply_word(settings, argument);
+        return;
+    }
+    for (const std::string& word : split_words(argument)) apply_word(settings, word);
+}
+
+}  // namespace
+
+CommandLine parse_command_line(const std::vector<std::string>& arguments) {
+    if (!arguments.empty() && arguments.front() == "diff") {
+        return parse_diff({arguments.begin() + 1, arguments.end()});
+    }
+    CommandLine line;
+    Settings& settings = line.settings;
+    CLI::App app{"Renders POV-Ray 3.7 scenes.", "renderboy"};
+    app.footer(std::string(footer));
+    app.allow_extras();
+    app.set_help_flag("--help", "this text");
+
+    std::optional<std::string> output, size, quality, threads;
+    bool version = false;
+    app.add_flag("--version", version, "print the version");
+    app.add_option("-o,--output", output, "picture to write; the extension decides the type");
+    app.add_option("--size", size, "WIDTHxHEIGHT in pixels");
+    app.add_option("--threads", threads, "threads to use (default: all)");
+    app.add_option("--quality", quality, "0..9, as +Q");
+    const std::map<std::string, GeometryMode> modes{{"auto", GeometryMode::automatic},
+                                                    {"exact", GeometryMode::exact},
+                                                    {"tessellate", GeometryMode::tessellate}};
+    app.add_option("--geometry", settings.geometry, "auto, exact or tessellate: how shapes meet rays")
+        ->transform(CLI::CheckedTransformer(modes));
+    app.add_option("--tessellation-error", settings.tessellation_error, "largest error of a mesh, in pixels")
+        ->check(CLI::PositiveNumber);
+    const std::map<std::string, DumpStage> stages{
+        {"tokens", DumpStage::tokens}, {"blocks", DumpStage::blocks}, {"scene", DumpStage::scene}};
+    app.add_option("--dump", settings.dump, "print tokens, blocks or scene instead of rendering")
+        ->transform(CLI::CheckedTransformer(stages));
+    app.add_option("--stats", settings.stats_file,
+                   "write statistics as JSON to a file (json or -: standard error)");
+    bool no_skip = false;
+    app.add_flag("--no-skip", no_skip, "do work that the scene does not need, too; same picture");
+    app.add_flag("--brute-force", settings.brute_force, "no kD-trees; same picture, slowly");
+
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    try {
+        app.parse(reversed);
+    } catch (const CLI::CallForHelp&) {
+        line.command = Command::help;
+        line.text = app.help();
+        return line;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+    if (version) {
+        line.command = Command::version;
+        line.text = version_text;
+        return line;
+    }
+    settings.skip_unneeded = !no_skip;
+    if (settings.stats_file == "json") settings.stats_file = "-";
+
+    read_initial_ini(settings);
+    std::vector<std::string> words = app.remaining();
+    if (!words.empty() && words.front() == "render") words.erase(words.begin());
+    for (const std::string& word : words) apply_argument(settings, word);
+
+    if (size) set_size(settings, *size);
+    if (threads) set_option(settings, "Work_Threads", *threads);
+    if (quality) set_option(settings, "Quality", *quality);
+    if (output) {
+        settings.output_file = *output;
+        if (const auto type = file_type_for(*output)) settings.file_type = *type;
+    }
+    if (settings.input_file.empty()) throw UsageError("No input file provided");
+    if (settings.width < 1 || settings.height < 1 || settings.width > (1 << 28) / settings.height) {
+        throw UsageError(
+            fmt::format("a picture of {}x{} pixels cannot be rendered", settings.width, settings.height));
+    }
+    return line;
+}
+
+}  // namespace rb

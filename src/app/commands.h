@@ -1,0 +1,15 @@
+#pragma once
+#include "app/command_line.h"
+
+namespace rb {
+
+/// Exit codes that callers rely on (language spec 24).
+enum ExitCode { exit_done = 0, exit_error = 1, exit_stopped = 2 };
+
+int run_render(const Settings& settings);
+int run_diff(const DiffSettings& settings);
+
+/// The whole program; prints, and maps every failure to an exit code.
+int run(const std::vector<std::string>& arguments);
+
+}  // namespace rb

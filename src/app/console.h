@@ -1,0 +1,34 @@
+#pragma once
+#include "base/diagnostics.h"
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace rb {
+
+/// Everything the program says goes to standard error through here. On a terminal: short lines and one
+/// progress line with the time left. Otherwise: the lines that programs which drive POV-Ray look for
+/// (docs/command-line.md).
+class Console {
+public:
+    explicit Console(bool verbose);
+
+    void banner(std::string_view phase);
+    void line(std::string_view text);
+    /// One diagnostic, compiler style; an error is followed by the reference's own one-line form off a
+    /// terminal.
+    void diagnostic(const Diagnostic& diagnostic, const SourceMap& sources);
+    void progress(size_t done, size_t total);
+    void end_progress();
+
+private:
+    bool verbose_;
+    bool terminal_;
+    bool progress_open_ = false;
+    std::chrono::steady_clock::time_point started_;
+    std::chrono::steady_clock::time_point last_;
+};
+
+}  // namespace rb

@@ -1,0 +1,51 @@
+#include "app/picture.h"
+
+#include <algorithm>
+
+namespace rb {
+
+namespace {
+
+/// The film holds premultiplied light; files hold straight colours. Light brighter than its coverage raises
+/// alpha.
+std::array<float, 4> straight(const Radiance& pixel) {
+    float alpha = 1.0f - pixel.transmit;
+    const float brightness = grey(pixel.rgb);
+    if (brightness > alpha) alpha = std::min(1.0f, brightness);
+    const float divisor = alpha == 0.0f ? 1e-6f : alpha;
+    return {pixel.rgb.x / divisor, pixel.rgb.y / divisor, pixel.rgb.z / divisor, alpha};
+}
+
+}  // namespace
+
+Pixels picture_of(const Film& film, const std::optional<GammaCurve>& assumed_gamma,
+                  const Settings& settings) {
+    const OutputEncoding encoding(assumed_gamma, settings.file_gamma);
+    const bool linear = is_linear(settings.file_type);
+    const auto encode = [&](float v) { return linear ? encoding.linear(v) : encoding.encode(v); };
+    const bool grayscale =
+        settings.grayscale && (settings.file_type == FileType::png || settings.file_type == FileType::ppm);
+    const bool has_alpha = settings.alpha && !grayscale && settings.file_type != FileType::jpeg &&
+                           settings.file_type != FileType::ppm && settings.file_type != FileType::hdr;
+    Pixels out(film.width, film.height, grayscale ? 1 : has_alpha ? 4 : 3);
+    for (int y = 0; y < film.height; ++y) {
+        for (int x = 0; x < film.width; ++x) {
+            const Radiance& pixel = film.at(x, y);
+            float* to = out.at(x, y);
+            if (grayscale) {
+                to[0] = encode(grey(pixel.rgb));
+                continue;
+            }
+            // OpenEXR keeps premultiplied colours.
+            const bool divide = has_alpha && !linear;
+            const std::array<float, 4> value =
+                divide ? straight(pixel)
+                       : std::array<float, 4>{pixel.rgb.x, pixel.rgb.y, pixel.rgb.z, 1.0f - pixel.transmit};
+            for (size_t c = 0; c < 3; ++c) to[c] = encode(value[c]);
+            if (has_alpha) to[3] = value[3];
+        }
+    }
+    return out;
+}
+
+}  // namespace rb

@@ -1,0 +1,90 @@
+#pragma once
+#include "compile/world.h"
+#include "image/file.h"
+#include "render/render.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace rb {
+
+/// A wrong word on the command line or in an INI file: exit code 1, nothing is rendered.
+class UsageError : public std::exception {
+public:
+    explicit UsageError(std::string message) : message_(std::move(message)) {}
+    const char* what() const noexcept override { return message_.c_str(); }
+
+private:
+    std::string message_;
+};
+
+enum class DumpStage { none, tokens, blocks, scene };
+
+/// One side of the rendered region as it was written: a pixel number (1-based) or a fraction (language
+/// spec 23.6).
+using RegionSide = std::optional<double>;
+
+/// Everything that the command line and INI files decide. Names follow the INI keys.
+struct Settings {
+    std::string input_file;
+    std::optional<std::string> include_header;
+    std::vector<std::string> library_paths;
+    std::vector<std::pair<std::string, std::variant<double, std::string>>> declares;
+    std::optional<double> version;
+
+    int width = 160;
+    int height = 120;
+    RegionSide start_column, end_column, start_row, end_row;
+    int quality = 9;
+    bool antialias = false;
+    AntialiasOptions antialias_options{.method = 1};  ///< Sampling_Method counts only while antialias is on
+    bool jitter = true;
+    double jitter_amount = 1.0;
+    int block_size = 32;
+    int threads = 0;
+
+    bool output_to_file = true;
+    std::string output_file;
+    FileType file_type = FileType::png;
+    int bits_per_color = 8;
+    bool grayscale = false;
+    bool alpha = false;
+    int compression = 0;
+    GammaCurve file_gamma = SrgbCurve{};
+
+    bool verbose = true;
+    double clock = 0;
+    bool clock_given = false;
+    double initial_clock = 0;
+    double final_clock = 1;
+    int initial_frame = 1;
+    int final_frame = 1;
+    double subset_start_frame = 0;
+    double subset_end_frame = 0;
+    int frame_step = 1;
+    bool cyclic_animation = false;
+
+    // The long-option face.
+    GeometryMode geometry = GeometryMode::automatic;
+    double tessellation_error = 0.05;
+    bool skip_unneeded = true;
+    bool brute_force = false;
+    DumpStage dump = DumpStage::none;
+    std::optional<std::string> stats_file;  ///< "-" writes to standard error
+
+    /// Options that were understood and have no effect, with the reason, for one message.
+    std::vector<std::string> without_effect;
+};
+
+/// The pixels to render: `width` x `height` cut by the region sides. Throws UsageError where the reference
+/// does.
+PixelBlock region_of(const Settings& settings);
+
+/// Where the picture goes: +O rules of language spec 23.7; "-" is standard output. `number` stands before the
+/// extension.
+std::string output_path(const Settings& settings, const std::string& number);
+
+}  // namespace rb

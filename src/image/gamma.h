@@ -1,0 +1,51 @@
+#pragma once
+#include "scene/scene.h"
+
+namespace rb {
+
+/// sRGB transfer curve (IEC 61966-2-1), linear to encoded and back; negative values stay linear.
+float srgb_encode(float linear);
+float srgb_decode(float encoded);
+
+/// A transfer curve ready to use: how stored numbers relate to linear light.
+class Curve {
+public:
+    enum class Kind { linear, power, srgb };
+
+    Curve() = default;
+    /// A power within 1 % of 1 counts as linear (textures spec 10.2).
+    explicit Curve(const GammaCurve& gamma);
+
+    float encode(float linear) const;
+    float decode(float encoded) const;
+    Kind kind() const { return kind_; }
+    float power() const { return power_; }
+    /// True if no visible difference lies between the two: same kind, powers within 1 %.
+    bool same_as(const Curve& other) const;
+
+private:
+    Kind kind_ = Kind::linear;
+    float power_ = 1;
+};
+
+/// Turns working-space values into the numbers of the output file.
+class OutputEncoding {
+public:
+    /// `assumed` empty: the scene has no gamma handling, numbers pass unchanged (language spec 6).
+    OutputEncoding(const std::optional<GammaCurve>& assumed, const GammaCurve& file);
+    float encode(float working) const { return passes_ ? working : file_.encode(working_.decode(working)); }
+    /// For formats that hold linear light (OpenEXR, HDR).
+    float linear(float working) const { return passes_ ? working : working_.decode(working); }
+    const Curve& file_curve() const { return file_; }
+    bool passes_unchanged() const { return passes_; }
+
+private:
+    Curve working_;
+    Curve file_;
+    bool passes_ = false;
+};
+
+/// "2.2" or "sRGB" (any case) as an option or the scene writes it; empty if neither.
+std::optional<GammaCurve> parse_gamma(std::string_view text);
+
+}  // namespace rb

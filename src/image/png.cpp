@@ -1,0 +1,84 @@
+// The home of libpng.
+#include "base/diagnostics.h"
+#include "image/codec.h"
+
+#include <bit>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <png.h>
+
+#include <fmt/format.h>
+
+namespace rb {
+
+namespace {
+
+// libpng reports errors by calling this, which must not return.
+[[noreturn]] void on_error(png_structp, png_const_charp message) {
+    throw IoError(fmt::format("cannot write the PNG file: {}", message));
+}
+void on_warning(png_structp, png_const_charp) {}
+
+struct Writer {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    Writer() {
+        png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_error, on_warning);
+        if (png) info = png_create_info_struct(png);
+        if (!info) throw IoError("cannot write the PNG file: out of memory");
+    }
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+};
+
+void write_gamma(const Writer& writer, const OutputFormat& format) {
+    if (!format.curve) return;
+    switch (format.curve->kind()) {
+        case Curve::Kind::srgb:
+            png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+            break;
+        case Curve::Kind::linear:
+            png_set_gAMA(writer.png, writer.info, 1.0);
+            break;
+        case Curve::Kind::power:
+            png_set_gAMA(writer.png, writer.info, 1.0 / static_cast<double>(format.curve->power()));
+            break;
+    }
+}
+
+}  // namespace
+
+void write_png(const Samples& samples, const OutputFormat& format, const std::string& path) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), std::fclose);
+    if (!file) throw IoError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+
+    const bool wide = !samples.words.empty();
+    const int color = samples.channels == 1   ? PNG_COLOR_TYPE_GRAY
+                      : samples.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA
+                                              : PNG_COLOR_TYPE_RGB;
+    const Writer writer;
+    png_init_io(writer.png, file.get());
+    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(samples.width),
+                 static_cast<png_uint_32>(samples.height), wide ? 16 : 8, color, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    write_gamma(writer, format);
+    // Level 3 is three times as fast as the default 6 and costs about 5 % in size on rendered pictures.
+    png_set_compression_level(writer.png, 3);
+    png_write_info(writer.png, writer.info);
+    if (wide && std::endian::native == std::endian::little) png_set_swap(writer.png);
+
+    const size_t row = static_cast<size_t>(samples.width) * static_cast<size_t>(samples.channels);
+    for (int y = 0; y < samples.height; ++y) {
+        const size_t start = static_cast<size_t>(y) * row;
+        png_write_row(writer.png, wide ? reinterpret_cast<png_const_bytep>(samples.words.data() + start)
+                                       : samples.bytes.data() + start);
+    }
+    png_write_end(writer.png, writer.info);
+    if (std::fflush(file.get()) != 0)
+        throw IoError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+}
+
+}  // namespace rb

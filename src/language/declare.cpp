@@ -1,0 +1,135 @@
+// #declare, #local.
+#include "language/parser.h"
+
+#include <fmt/format.h>
+
+namespace rb {
+
+namespace {
+
+constexpr std::string_view semicolon_message =
+    "All #declares of float, vector, and color require semi-colon ';' at end if the language version is set "
+    "to "
+    "3.5 or higher.";
+
+void check_kind(const Array& array, SourceRange where, const Value& value) {
+    for (const Value& element : array.elements) {
+        if (!is_set(element)) continue;
+        const std::string have = kind_name(element);
+        const std::string want = kind_name(value);
+        if (have != want) {
+            throw SceneError(where, fmt::format("Attempted to redefine {} as {}.", have, want));
+        }
+        return;
+    }
+}
+
+}  // namespace
+
+Place TokenStream::raw_element(const Place& array, SourceRange where) {
+    Place place = array;
+    while (raw_peek().kind == Tok::lbracket && std::holds_alternative<ArrayPtr>(place.value())) {
+        const ArrayPtr elements = std::get<ArrayPtr>(place.value());
+        size_t index = 0;
+        for (const size_t size : elements->sizes) {
+            raw_expect(Tok::lbracket, "[");
+            Parser parser(session_);
+            const Operand subscript = parser.sum();
+            index = index * size + checked_subscript(subscript, size);
+            parser.expect(Tok::rbracket, "]");
+            where = cover(where, subscript.where);
+        }
+        place.array = elements;
+        place.index = index;
+    }
+    return place;
+}
+
+size_t checked_subscript(const Operand& operand, size_t size) {
+    const double value = to_float(operand) + 1e-10;
+    if (value < 0) throw SceneError(operand.where, "Negative subscript");
+    if (!(value < static_cast<double>(size))) throw SceneError(operand.where, "Array subscript out of range");
+    return static_cast<size_t>(value);
+}
+
+Place TokenStream::declared_place(uint32_t word, bool local, SourceRange where, const Value& value) {
+    Symbols& symbols = session_.symbols;
+    Place place = local ? symbols.find_local_place(word) : symbols.find_place(word);
+    if (!place.known()) {
+        place.slot = local ? symbols.create_local(word) : symbols.create_global(word);
+        return place;
+    }
+    if (std::holds_alternative<MacroPtr>(place.value())) {
+        session_.fail(where, "Expected 'undeclared identifier', macro identifier found instead");
+    }
+    if (is_function(place.value()) && is_function(value)) {
+        session_.fail(where, "Redeclaring functions is not allowed - #undef the function first!");
+    }
+    return place;
+}
+
+void TokenStream::store(const Place& place, SourceRange where, Value value) {
+    if (auto* terms = std::get_if<Terms>(&value)) *terms = stored(*terms);
+    if (place.array) check_kind(*place.array, where, value);
+    place.value() = std::move(value);
+}
+
+void TokenStream::do_declare(bool local, SourceRange) {
+    std::string deprecated;
+    bool once = false;
+    if (raw_peek().kind == Tok::word && raw_peek().aux == word_of(Keyword::deprecated)) {
+        raw_next();
+        if (raw_peek().kind == Tok::word && raw_peek().aux == word_of(Keyword::once)) {
+            raw_next();
+            once = true;
+        }
+        deprecated = "?";
+        if (raw_peek().kind == Tok::text) {
+            const Token text = raw_next();
+            deprecated = unescape(session_, top().tokens->spelling(text), range(text));
+        }
+    }
+    const SourceRange where = range(raw_peek());
+    const uint32_t word = raw_name("undeclared identifier");
+    if (deprecated == "?") {
+        deprecated = fmt::format("Identifier '{}' was declared deprecated.", session_.words.spelling(word));
+    }
+    try {
+        Place element;
+        if (raw_peek().kind == Tok::lbracket) {
+            const Place array = session_.symbols.find_place(word);
+            if (array.known() && std::holds_alternative<ArrayPtr>(array.value())) {
+                element = raw_element(array, where);
+            }
+        }
+        raw_expect(Tok::equals, "=");
+        Parser parser(session_);
+        if (parser.peek().kind == Tok::undeclared) {
+            session_.fail(parser.peek().where,
+                          fmt::format("Cannot assign uninitialized identifier.{}",
+                                      session_.hint(session_.words.spelling(parser.peek().word))));
+        }
+        parser.lock(true);
+        Operand right = parser.rvalue();
+        parser.lock(false);
+        const bool numeric = std::holds_alternative<Terms>(right.value);
+        if (right.place.known()) right.value = deep_copy(right.value);
+        const Place place = element.known() ? element : declared_place(word, local, where, right.value);
+        store(place, where, std::move(right.value));
+        place.slot->deprecated = deprecated;
+        place.slot->deprecated_once = once;
+        const bool ended = parser.take_if(Tok::semicolon);
+        if (!numeric) return;
+        if (!ended && session_.language_version >= 350) {
+            session_.fail({right.where.file, right.where.end, right.where.end},
+                          std::string(semicolon_message));
+        }
+        if (ended) parser.take_if(Tok::semicolon);
+    } catch (const SceneError&) {
+        const Place known = session_.symbols.find_place(word);
+        if (!known.known()) session_.symbols.create_global(word)->value = Poison{};
+        throw;
+    }
+}
+
+}  // namespace rb

@@ -1,0 +1,334 @@
+#include "language/function_code.h"
+
+#include "grammar/token.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rb {
+
+namespace {
+
+using Op = FunctionCode::Op;
+
+double truncate_to_int(double value) {
+    if (!(std::abs(value) < 2147483648.0)) return -2147483648.0;
+    return std::trunc(value);
+}
+
+double call1(Keyword f, double a) {
+    switch (f) {
+        case Keyword::sin:
+            return std::sin(a);
+        case Keyword::cos:
+            return std::cos(a);
+        case Keyword::tan:
+            return std::tan(a);
+        case Keyword::asin:
+            return std::asin(a);
+        case Keyword::acos:
+            return std::acos(a);
+        case Keyword::atan:
+            return std::atan(a);
+        case Keyword::sinh:
+            return std::sinh(a);
+        case Keyword::cosh:
+            return std::cosh(a);
+        case Keyword::tanh:
+            return std::tanh(a);
+        case Keyword::asinh:
+            return std::asinh(a);
+        case Keyword::acosh:
+            return std::acosh(a);
+        case Keyword::atanh:
+            return std::atanh(a);
+        case Keyword::abs:
+            return std::abs(a);
+        case Keyword::radians:
+            return a * 3.14159265358979323846 / 180;
+        case Keyword::degrees:
+            return a * 180 / 3.14159265358979323846;
+        case Keyword::int_:
+            return truncate_to_int(a);
+        case Keyword::floor:
+            return std::floor(a);
+        case Keyword::ceil:
+            return std::ceil(a);
+        case Keyword::sqrt:
+            return std::sqrt(a);
+        case Keyword::exp:
+            return std::exp(a);
+        case Keyword::ln:
+            return std::log(a);
+        case Keyword::log:
+            return std::log10(a);
+        default:
+            return 0;
+    }
+}
+
+double call2(Keyword f, double a, double b) {
+    switch (f) {
+        case Keyword::atan2:
+            return std::atan2(a, b);
+        case Keyword::mod:
+            return std::fmod(a, b);
+        case Keyword::pow:
+            return std::pow(a, b);
+        case Keyword::div:
+            return truncate_to_int(a / b);
+        default:
+            return 0;
+    }
+}
+
+class Compiler {
+public:
+    Compiler(FunctionCode& out) : out_(out) {}
+
+    void add(const FunctionNode& node) {
+        using Kind = FunctionNode::Kind;
+        switch (node.kind) {
+            case Kind::constant:
+                emit({Op::constant, 255, 0, 0, node.value}, 1);
+                return;
+            case Kind::variable:
+                emit({Op::variable, 255, 0, node.index, 0}, 1);
+                return;
+            case Kind::negated:
+                add(node.parts[0]);
+                emit({Op::negate, 255, 0, 0, 0}, 0);
+                return;
+            case Kind::group:
+                add(node.parts[0]);
+                return;
+            case Kind::chain:
+                add_chain(node);
+                return;
+            case Kind::call:
+                add_call(node);
+                return;
+            case Kind::loop:
+                add_loop(node);
+                return;
+            case Kind::function:
+                for (const FunctionNode& part : node.parts) add(part);
+                out_.functions.push_back(node.function);
+                emit(
+                    {Op::function, static_cast<uint8_t>(node.index), static_cast<uint16_t>(node.parts.size()),
+                     static_cast<uint32_t>(out_.functions.size() - 1), 0},
+                    1 - static_cast<int>(node.parts.size()));
+                return;
+        }
+    }
+
+private:
+    void emit(FunctionCode::Instruction instruction, int growth) {
+        out_.instructions.push_back(instruction);
+        depth_ += growth;
+        out_.stack = std::max(out_.stack, static_cast<uint32_t>(std::max(depth_, 1)));
+    }
+    void add_chain(const FunctionNode& node) {
+        add(node.parts[0]);
+        for (size_t i = 1; i < node.parts.size(); ++i) {
+            add(node.parts[i]);
+            emit({op_of(node.operators[i - 1]), 255, 0, 0, 0}, -1);
+        }
+    }
+    static Op op_of(char sign) {
+        switch (sign) {
+            case '+':
+                return Op::add;
+            case '-':
+                return Op::subtract;
+            case '*':
+                return Op::multiply;
+            case '/':
+                return Op::divide;
+            case '<':
+                return Op::less;
+            case 'l':
+                return Op::less_equal;
+            case '=':
+                return Op::equal;
+            case '!':
+                return Op::unequal;
+            case 'g':
+                return Op::greater_equal;
+            case '>':
+                return Op::greater;
+            case '&':
+                return Op::both;
+            default:
+                return Op::either;
+        }
+    }
+    void add_call(const FunctionNode& node) {
+        const auto count = node.parts.size();
+        const auto keyword = static_cast<Keyword>(node.index);
+        for (const FunctionNode& part : node.parts) add(part);
+        Op op = count == 1 ? Op::call1 : count == 2 ? Op::call2 : count == 3 ? Op::call3 : Op::call4;
+        if (keyword == Keyword::min || keyword == Keyword::max) op = Op::min_max;
+        emit({op, 255, static_cast<uint16_t>(count), node.index, 0}, 1 - static_cast<int>(count));
+    }
+    void add_loop(const FunctionNode& node) {
+        add(node.parts[0]);
+        add(node.parts[1]);
+        FunctionCode body;
+        Compiler(body).add(node.parts[2]);
+        out_.bodies.push_back(std::move(body));
+        const bool is_sum = node.level == '+';
+        emit({is_sum ? Op::sum : Op::product, 255, static_cast<uint16_t>(out_.bodies.size() - 1), node.index,
+              0},
+             -1);
+    }
+
+    FunctionCode& out_;
+    int depth_ = 0;
+};
+
+}  // namespace
+
+FunctionCode compile(const FunctionNode& body, uint32_t parameters, uint32_t variables) {
+    FunctionCode code;
+    Compiler(code).add(body);
+    code.variables = std::max(parameters, variables);
+    return code;
+}
+
+namespace {
+
+double call_many(Keyword f, const double* a, size_t count) {
+    if (f == Keyword::select) {
+        if (count == 3) return a[0] < 0 ? a[1] : a[2];
+        return a[0] < 0 ? a[1] : a[0] == 0 ? a[2] : a[3];
+    }
+    double best = a[0];
+    for (size_t i = 1; i < count; ++i) best = f == Keyword::min ? std::min(best, a[i]) : std::max(best, a[i]);
+    return best;
+}
+
+double run_loop(const FunctionCode& body, bool is_sum, uint32_t variable, double* variables, double from,
+                double to) {
+    std::vector<double> stack(body.stack + 1);
+    double total = is_sum ? 0 : 1;
+    for (double i = from; i <= to; i += 1) {
+        variables[variable] = i;
+        double value = 0;
+        body.run(variables, stack.data(), value);
+        total = is_sum ? total + value : total * value;
+        if (i + 1 == i) break;
+    }
+    return total;
+}
+
+}  // namespace
+
+void FunctionCode::run(double* variable, double* stack_base, double& result) const {
+    double* top = stack_base - 1;
+    for (const Instruction& i : instructions) {
+        switch (i.op) {
+            case Op::constant:
+                *++top = i.value;
+                break;
+            case Op::variable:
+                *++top = variable[i.index];
+                break;
+            case Op::negate:
+                *top = -*top;
+                break;
+            case Op::add:
+                top[-1] += top[0];
+                --top;
+                break;
+            case Op::subtract:
+                top[-1] -= top[0];
+                --top;
+                break;
+            case Op::multiply:
+                top[-1] *= top[0];
+                --top;
+                break;
+            case Op::divide:
+                top[-1] /= top[0];
+                --top;
+                break;
+            case Op::less:
+                top[-1] = top[-1] < top[0];
+                --top;
+                break;
+            case Op::less_equal:
+                top[-1] = top[-1] <= top[0];
+                --top;
+                break;
+            case Op::equal:
+                top[-1] = top[-1] == top[0];
+                --top;
+                break;
+            case Op::unequal:
+                top[-1] = top[-1] != top[0];
+                --top;
+                break;
+            case Op::greater_equal:
+                top[-1] = top[-1] >= top[0];
+                --top;
+                break;
+            case Op::greater:
+                top[-1] = top[-1] > top[0];
+                --top;
+                break;
+            case Op::both:
+                top[-1] = top[-1] != 0 && top[0] != 0;
+                --top;
+                break;
+            case Op::either:
+                top[-1] = top[-1] != 0 || top[0] != 0;
+                --top;
+                break;
+            case Op::call1:
+                *top = call1(static_cast<Keyword>(i.index), *top);
+                break;
+            case Op::call2:
+                --top;
+                *top = call2(static_cast<Keyword>(i.index), top[0], top[1]);
+                break;
+            case Op::call3:
+            case Op::call4:
+            case Op::min_max:
+                top -= i.count - 1;
+                *top = call_many(static_cast<Keyword>(i.index), top, i.count);
+                break;
+            case Op::function: {
+                top -= i.count;
+                std::array<double, 5> out{};
+                const Function& f = *functions[i.index];
+                f.evaluate({top + 1, i.count}, {out.data(), static_cast<size_t>(f.result_count())});
+                *++top = i.component == 254 ? 0.297 * out[0] + 0.589 * out[1] + 0.114 * out[2]
+                                            : out[i.component == 255 ? 0 : i.component];
+                break;
+            }
+            case Op::sum:
+            case Op::product:
+                --top;
+                *top = run_loop(bodies[i.count], i.op == Op::sum, i.index, variable, top[0], top[1]);
+                break;
+        }
+    }
+    result = *top;
+}
+
+void UserFunction::evaluate(std::span<const double> arguments, std::span<double> result) const {
+    constexpr size_t room = 64;
+    if (code_.variables + code_.stack + 1 <= room) {
+        std::array<double, room> memory;
+        std::copy(arguments.begin(), arguments.end(), memory.begin());
+        code_.run(memory.data(), memory.data() + code_.variables, result[0]);
+        return;
+    }
+    std::vector<double> memory(code_.variables + code_.stack + 1);
+    std::copy(arguments.begin(), arguments.end(), memory.begin());
+    code_.run(memory.data(), memory.data() + code_.variables, result[0]);
+}
+
+}  // namespace rb

@@ -1,0 +1,149 @@
+// Functions as patterns, and patterns, pigments and transforms as functions.
+#include "language/read_pattern.h"
+#include "patterns/pattern_field.h"
+#include "patterns/pigment_program.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace rb {
+
+namespace {
+
+PatternSettings settings_of(const GlobalSettings& settings) {
+    return {settings.noise_generator, settings.number_of_waves};
+}
+
+class FunctionPattern final : public Pattern {
+public:
+    explicit FunctionPattern(FunctionPtr function) : function_(std::move(function)) {}
+    std::string_view keyword() const override { return "function"; }
+    void evaluate(const PatternContext&, std::span<const Vec3> points,
+                  std::span<double> values) const override {
+        const auto count = static_cast<size_t>(function_->parameter_count());
+        for (size_t i = 0; i < points.size(); ++i) {
+            const std::array<double, 3> p{points[i].x, points[i].y, points[i].z};
+            function_->evaluate({p.data(), count}, values.subspan(i, 1));
+        }
+    }
+
+private:
+    FunctionPtr function_;
+};
+
+class PigmentPattern final : public Pattern {
+public:
+    PigmentPattern(const Pigment& pigment, const GlobalSettings& settings)
+        : program_(pigment, settings_of(settings)) {}
+    std::string_view keyword() const override { return "pigment_pattern"; }
+    bool needs_surface() const override { return program_.needs_surface(); }
+    void evaluate(const PatternContext& context, std::span<const Vec3> points,
+                  std::span<double> values) const override {
+        std::vector<Color> colors(points.size());
+        program_.evaluate({points, context.surface, context.rows}, colors);
+        for (size_t i = 0; i < points.size(); ++i) values[i] = static_cast<double>(grey(colors[i].rgb()));
+    }
+
+private:
+    PigmentProgram program_;
+};
+
+class PatternFunction final : public Function {
+public:
+    PatternFunction(PatternPtr pattern, const PatternModifiers& modifiers, const GlobalSettings& settings)
+        : field_(std::move(pattern), modifiers, settings_of(settings)) {}
+    int parameter_count() const override { return 3; }
+    int result_count() const override { return 1; }
+    void evaluate(std::span<const double> a, std::span<double> result) const override {
+        std::array<Vec3, 1> point{Vec3{a[0], a[1], a[2]}};
+        field_.carry(point);
+        field_.values({point}, result);
+    }
+
+private:
+    PatternField field_;
+};
+
+class PigmentFunction final : public Function {
+public:
+    PigmentFunction(const Pigment& pigment, const GlobalSettings& settings)
+        : program_(pigment, settings_of(settings)) {}
+    int parameter_count() const override { return 3; }
+    int result_count() const override { return 5; }
+    void evaluate(std::span<const double> a, std::span<double> result) const override {
+        const std::array<Vec3, 1> point{Vec3{a[0], a[1], a[2]}};
+        std::array<Color, 1> color;
+        program_.evaluate({point}, color);
+        const Color& c = color[0];
+        const std::array<float, 5> terms{c.red, c.green, c.blue, c.filter, c.transmit};
+        for (size_t i = 0; i < result.size() && i < terms.size(); ++i)
+            result[i] = static_cast<double>(terms[i]);
+    }
+
+private:
+    PigmentProgram program_;
+};
+
+class TransformFunction final : public Function {
+public:
+    explicit TransformFunction(const Transform& map) : map_(map) {}
+    int parameter_count() const override { return 3; }
+    int result_count() const override { return 3; }
+    void evaluate(std::span<const double> a, std::span<double> result) const override {
+        const Vec3 p = map_.point({a[0], a[1], a[2]});
+        for (size_t i = 0; i < 3 && i < result.size(); ++i) result[i] = p[static_cast<int>(i)];
+    }
+
+private:
+    Transform map_;
+};
+
+FunctionPtr pattern_function(const Block& block, const ReadContext& context) {
+    BlockReader in(block, context);
+    PatternModifiers modifiers;
+    const TakenPattern taken = take_pattern(in, modifiers);
+    if (!taken.taken || taken.average)
+        in.fail(fmt::format("Expected 'pattern', {} found instead", in.found()));
+    PatternPtr pattern = taken.pattern;
+    constexpr std::array<std::string_view, 7> refused{"facets", "square",   "triangular", "aoi",
+                                                      "slope",  "pavement", "tiling"};
+    for (std::string_view word : refused) {
+        if (pattern->keyword() == word)
+            in.fail_at(block.where, fmt::format("'{}' cannot be used in a function.", word));
+    }
+    while (take_parameter(in, pattern) || take_modifier(in, modifiers)) {
+    }
+    in.finish();
+    if (const auto* unknown = dynamic_cast<const UnsupportedPattern*>(pattern.get())) {
+        context.diagnostics->unsupported(unknown->where,
+                                         fmt::format("pattern {} in a function", pattern->keyword()),
+                                         "it gives 0.5 everywhere");
+    }
+    return std::make_shared<PatternFunction>(pattern, modifiers, *context.settings);
+}
+
+}  // namespace
+
+PatternPtr function_pattern(const FunctionPtr& function) {
+    return std::make_shared<FunctionPattern>(function);
+}
+
+PatternPtr pigment_pattern(const PigmentPtr& pigment, const GlobalSettings& settings) {
+    return std::make_shared<PigmentPattern>(*pigment, settings);
+}
+
+FunctionPtr read_function_block(Session& session, const Block& block) {
+    const ReadContext context = session.context();
+    if (block.keyword == "pattern") return pattern_function(block, context);
+    if (block.keyword == "pigment") {
+        const PigmentPtr pigment = read_pigment(block, context, context.default_texture->front().pigment);
+        if (pigment->uv_mapping) session.fail(block.where, "uv_mapping cannot be used in a function.");
+        return std::make_shared<PigmentFunction>(*pigment, *context.settings);
+    }
+    if (block.keyword == "transform")
+        return std::make_shared<TransformFunction>(*read_transform(block, context));
+    session.fail(block.where, fmt::format("Expected 'function body', {} found instead", block.keyword));
+}
+
+}  // namespace rb

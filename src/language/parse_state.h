@@ -1,0 +1,153 @@
+#pragma once
+#include "language/function_builder.h"
+#include "language/parser.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rb {
+
+enum class Operator {
+    add,
+    subtract,
+    multiply,
+    divide,
+    less,
+    less_equal,
+    equal,
+    unequal,
+    greater_equal,
+    greater,
+    both,
+    either
+};
+
+/// What the actions of the token grammar work on: operands, open calls, open blocks.
+class ParseState {
+public:
+    explicit ParseState(Session& session) : session_(session), functions_(session) {}
+
+    Session& session() { return session_; }
+    FunctionBuilder& functions() { return functions_; }
+
+    // Operands.
+    void push(Value value, SourceRange where);
+    void push_name(const Produced& token);
+    void push_constant(const Produced& token);
+    void push_text(const Produced& token);
+    Operand pop();
+    Operand& top() { return operands_.back(); }
+    size_t operand_count() const { return operands_.size(); }
+
+    // Operators.
+    void negate(SourceRange sign);
+    void invert(SourceRange sign);
+    void apply(Operator op);
+    void choose();
+    void take_component(const Produced& name);
+    void close_group(SourceRange where);
+    void open_list(SourceRange where, uint32_t word = 0) {
+        lists_.push_back({operands_.size(), where, word});
+    }
+    void close_vector(SourceRange where);
+    void close_call(SourceRange where);
+    void close_value_call(SourceRange where);
+    void close_tuple(SourceRange where);
+    void set_spline_type(const Produced& word);
+    void take_subscript(SourceRange where);
+    bool value_is_array() const;
+    bool value_is_callable() const;
+    bool value_is_texture() const;
+
+    // Colours.
+    void open_color(SourceRange where) { colors_.push_back({{}, where, {}}); }
+    void add_color_word() { colors_.back().color.color_word = true; }
+    void set_color_word(const Produced& word) { colors_.back().word = word; }
+    void add_rgb_base();
+    void add_channel();
+    void add_bare_base();
+    WrittenColor take_color(SourceRange& where);
+
+    // Blocks.
+    void open_block(std::string_view keyword, SourceRange where);
+    std::shared_ptr<const Block> close_block(SourceRange where);
+    void close_inner_block(SourceRange where);
+    void open_barrier() { blocks_.push_back({}); }
+    void close_barrier() { blocks_.pop_back(); }
+    bool colors_allowed() const;
+    std::string open_keyword() const { return blocks_.empty() ? "" : blocks_.back().block->keyword; }
+    void add_value();
+    void add_color();
+    void add_run(const Produced& run);
+    void add_word(const Produced& word);
+    void add_function();
+    void add_stray(const Produced& token);
+    std::shared_ptr<const Block> take_finished() { return std::move(finished_); }
+
+    // Right sides.
+    void push_color_value();
+    void push_block_value();
+    void merge_layer();
+    void push_transform_value();
+    void open_array();
+    void size_array();
+    void check_array(SourceRange where);
+    void open_rows();
+    void close_rows(SourceRange where);
+    void add_row_item();
+    void push_array(SourceRange where);
+    bool array_has_inner_rows() const;
+    void push_spline(SourceRange where);
+
+    // User functions: see FunctionBuilder; these touch operands too.
+    void push_function(SourceRange where);
+    void set_function_block();
+    void open_function_name(const Produced& token);
+    void open_function_value();
+    void close_function_name();
+    bool function_name_is_array() const { return value_is_array(); }
+    bool function_name_is_callable() const { return value_is_callable(); }
+
+private:
+    struct List {
+        size_t base = 0;
+        SourceRange where;
+        uint32_t word = 0;
+        Keyword spline_type = Keyword::count;
+    };
+    struct OpenBlock {
+        std::shared_ptr<Block> block;  ///< null: a barrier, blocks within are not items of the one outside
+        int same_shape = 0;
+    };
+    struct OpenColor {
+        WrittenColor color;
+        SourceRange where;
+        Produced word;
+    };
+    struct OpenArray {
+        ArrayPtr array;
+        size_t depth = 0;
+        size_t filled = 0;
+        std::vector<size_t> counts;
+        SourceRange where;
+    };
+
+    Terms numeric(const Operand& operand) const;
+    Item& new_item(Item::Kind kind, SourceRange where);
+    void add_numbers(const Operand& operand);
+    Block& open() { return *blocks_.back().block; }
+
+    Session& session_;
+    FunctionBuilder functions_;
+    std::vector<Operand> operands_;
+    std::vector<List> lists_;
+    std::vector<OpenBlock> blocks_;
+    std::vector<OpenArray> arrays_;
+    std::vector<OpenColor> colors_;
+    std::shared_ptr<const Block> finished_;
+    enum class NameState { parameter, operand, called };
+    std::vector<NameState> names_;  ///< of the user function's identifiers being read
+};
+
+}  // namespace rb

@@ -1,0 +1,221 @@
+// texture, texture_map, layers. Language spec 18.1.
+#include "language/read_map.h"
+#include "language/read_pattern.h"
+
+namespace rb {
+
+namespace {
+
+void read_list(BlockReader& in, int list_size, Texture& texture) {
+    const auto size = static_cast<size_t>(list_size);
+    while (texture.map.size() < size && in.at_block("texture")) {
+        TexturePtr child = read_texture(in.block("texture"), in.context());
+        texture.map.push_back({static_cast<float>(texture.map.size()), std::move(child)});
+    }
+    while (texture.map.size() < size) {
+        texture.map.push_back({static_cast<float>(texture.map.size()), in.context().default_texture});
+    }
+}
+
+/// tiles { texture ... tile2 texture ... }: a checker whose first texture is on the odd cells.
+void read_tiles(const Block& block, const ReadContext& context, Texture& texture) {
+    BlockReader in(block, context);
+    TexturePtr first;
+    while (in.at_block("texture")) {
+        const SourceRange at = in.where();
+        first = layered(first, read_texture(in.block("texture"), context), at);
+    }
+    if (!in.take_word("tile2")) in.fail(fmt::format("Expected 'tile2', {} found instead", in.found()));
+    TexturePtr second;
+    while (in.at_block("texture")) {
+        const SourceRange at = in.where();
+        second = layered(second, read_texture(in.block("texture"), context), at);
+    }
+    in.finish();
+    texture.map = {{0.0f, second ? second : context.default_texture},
+                   {1.0f, first ? first : context.default_texture}};
+    const PatternKind* checker = find_pattern("checker");
+    Block words;
+    words.where = block.where;
+    words.keyword = "checker";
+    BlockReader nothing(words, context);
+    texture.pattern = checker->read(nothing);
+    texture.modifiers.frequency = 0;
+}
+
+/// A material_map is not drawn yet: its first texture stands for all.
+void read_material_map(const Block& block, const ReadContext& context, TextureLayers& layers) {
+    BlockReader in(block, context);
+    while (!in.at_end() && !in.at_block("texture")) in.skip_item();
+    TexturePtr first;
+    while (in.at_block("texture")) {
+        TexturePtr texture = read_texture(in.block("texture"), context);
+        if (!first) first = std::move(texture);
+    }
+    in.finish();
+    context.diagnostics->unsupported(block.where, "material_map", "its first texture is used everywhere");
+    if (first) layers = *first;
+}
+
+void read_patterned(BlockReader& in, TextureLayers& layers) {
+    Texture texture;
+    texture.where = in.block_where();
+    texture.uv_mapping = layers.front().uv_mapping;
+    if (in.at_block("material_map")) {
+        read_material_map(in.block("material_map"), in.context(), layers);
+        Transform map;
+        while (take_transformation(in, map)) {
+        }
+        for (Texture& layer : layers) layer = transformed(layer, map);
+        return;
+    }
+    if (in.at_block("tiles")) {
+        read_tiles(in.block("tiles"), in.context(), texture);
+    } else {
+        const TakenPattern taken = take_pattern(in, texture.modifiers);
+        texture.pattern = taken.pattern;
+        texture.average = taken.average;
+        if (taken.kind && taken.kind->list_size > 0) read_list(in, taken.kind->list_size, texture);
+        while (!in.at_end()) {
+            if (in.at_block("texture_map")) {
+                texture.map = *read_texture_map(in.block("texture_map"), in.context(), texture.average);
+            } else if (!take_parameter(in, texture.pattern)) {
+                if (!take_modifier(in, texture.modifiers)) break;
+            }
+        }
+        if (texture.map.empty()) in.fail("Patterned texture must have texture_map.");
+    }
+    while (take_modifier(in, texture.modifiers)) {
+    }
+    layers = {std::move(texture)};
+}
+
+bool take_plain_identifier(BlockReader& in, Texture& top) {
+    if (in.at_thing<PigmentPtr>()) {
+        top.pigment = in.thing<PigmentPtr>();
+    } else if (in.at_thing<NormalPtr>()) {
+        top.normal = in.thing<NormalPtr>();
+    } else if (in.at_thing<FinishPtr>()) {
+        top.finish = in.thing<FinishPtr>();
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool take_plain_block(BlockReader& in, Texture& top) {
+    const ReadContext& context = in.context();
+    if (in.at_block("pigment")) {
+        top.pigment = read_pigment(in.block("pigment"), context, top.pigment);
+    } else if (in.at_block("normal")) {
+        top.normal = read_normal(in.block("normal"), context, top.normal);
+    } else if (in.at_block("finish")) {
+        top.finish = read_finish(in.block("finish"), context, top.finish);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void set_no_bump_scale(TextureLayers& layers) {
+    for (Texture& layer : layers) {
+        if (!layer.normal) continue;
+        auto normal = std::make_shared<Normal>(*layer.normal);
+        normal->no_bump_scale = true;
+        layer.normal = std::move(normal);
+    }
+}
+
+}  // namespace
+
+TextureMapPtr read_texture_map(const Block& block, const ReadContext& context, bool average) {
+    return read_map<BlendMap<TexturePtr>>(block, context, [&](BlockReader& in, BlendMap<TexturePtr>& map) {
+        const bool has_weight = in.at_number() || !average;
+        const float position = has_weight ? static_cast<float>(in.number()) : 1.0f;
+        auto layers = std::make_shared<TextureLayers>();
+        if (in.at_block("texture")) {
+            // `[0 texture{...} texture{...}]` is layered.
+            TexturePtr all;
+            while (in.at_block("texture")) {
+                const SourceRange at = in.where();
+                all = layered(all, read_texture(in.block("texture"), context), at);
+            }
+            map.push_back({position, std::move(all)});
+            return;
+        }
+        *layers = *context.default_texture;
+        read_texture_body(in, *layers);
+        map.push_back({position, std::move(layers)});
+    });
+}
+
+void read_texture_body(BlockReader& in, TextureLayers& layers) {
+    bool changed = false;
+    if (in.at_thing<TexturePtr>()) {
+        layers = *in.thing<TexturePtr>();
+        changed = true;
+    }
+    if (!changed && in.take_word("uv_mapping")) layers.front().uv_mapping = true;
+    const bool plain = !layers.back().is_patterned();
+    while (!in.at_end()) {
+        Transform map;
+        if (plain && (take_plain_identifier(in, layers.back()) || take_plain_block(in, layers.back()))) {
+            changed = true;
+        } else if (take_transformation(in, map)) {
+            for (Texture& layer : layers) layer = transformed(layer, map);
+            changed = true;
+        } else if (in.take_word("no_bump_scale")) {
+            set_no_bump_scale(layers);
+            changed = true;
+        } else {
+            break;
+        }
+    }
+    if (!changed && (at_pattern(in) || in.at_block("tiles") || in.at_block("material_map"))) {
+        read_patterned(in, layers);
+    }
+}
+
+TexturePtr read_texture(const Block& block, const ReadContext& context) {
+    BlockReader in(block, context);
+    auto layers = std::make_shared<TextureLayers>(*context.default_texture);
+    layers->back().where = block.where;
+    read_texture_body(in, *layers);
+    in.finish();
+    return layers;
+}
+
+TexturePtr layered(const TexturePtr& lower, const TexturePtr& upper, SourceRange where) {
+    if (!lower || lower->empty()) return upper;
+    if (lower->back().is_patterned() || upper->front().is_patterned()) {
+        throw SceneError(where, "Cannot layer over a patterned texture.");
+    }
+    auto layers = std::make_shared<TextureLayers>(*lower);
+    layers->insert(layers->end(), upper->begin(), upper->end());
+    return layers;
+}
+
+void edit_texture(const Block& block, const ReadContext& context, TexturePtr& layers) {
+    auto edited = std::make_shared<TextureLayers>(layers ? *layers : *context.default_texture);
+    if (edited->back().is_patterned()) {
+        throw SceneError(block.where, "Cannot layer over a patterned texture.");
+    }
+    Texture& top = edited->back();
+    if (block.keyword == "pigment") {
+        top.pigment = read_pigment(block, context, top.pigment);
+    } else if (block.keyword == "normal") {
+        top.normal = read_normal(block, context, top.normal);
+    } else {
+        top.finish = read_finish(block, context, top.finish);
+    }
+    layers = std::move(edited);
+}
+
+TexturePtr initial_texture() {
+    auto layers = std::make_shared<TextureLayers>(1);
+    layers->front().pigment = std::make_shared<const Pigment>();
+    layers->front().finish = std::make_shared<const Finish>();
+    return layers;
+}
+
+}  // namespace rb

@@ -1,0 +1,116 @@
+#pragma once
+#include "language/session.h"
+
+#include <array>
+
+#include <tao/pegtl.hpp>
+
+namespace rb {
+
+/// The token stream as a PEGTL input: the iterator is the number of a token; tokens are produced when they
+/// are looked at, and rewinding moves the number. Only the last few tokens are kept: the grammar looks ahead
+/// by one token (two behind a word), so it never rewinds further.
+class TokenInput {
+public:
+    using iterator_t = size_t;
+
+    struct action_t {
+        action_t(const size_t& begin, const TokenInput& input) : begin_(begin), input_(input) {}
+        const Produced& first() const { return input_.token(begin_); }
+        const TokenInput& input() const { return input_; }
+
+    private:
+        size_t begin_;
+        const TokenInput& input_;
+    };
+
+    explicit TokenInput(Session& session) : session_(session) {}
+    TokenInput(const TokenInput&) = delete;
+    TokenInput& operator=(const TokenInput&) = delete;
+    ~TokenInput() {
+        while (produced_ > at_) session_.stream.give_back(std::move(ring_[--produced_ % kept]));
+    }
+
+    template <tao::pegtl::rewind_mode M>
+    tao::pegtl::internal::marker<iterator_t, M> mark() {
+        return tao::pegtl::internal::marker<iterator_t, M>(at_);
+    }
+
+    const Produced& peek() {
+        if (at_ == produced_) {
+            produce();
+        } else if (at_ + 1 == produced_ && !session_.stream.locked && last().kind == Tok::hash) {
+            // A directive that was met under the lock runs now.
+            session_.stream.give_back(std::move(ring_[--produced_ % kept]));
+            produce();
+        }
+        return ring_[at_ % kept];
+    }
+    Tok kind() { return peek().kind; }
+    bool at_keyword(Keyword keyword) {
+        const Produced& token = peek();
+        return token.kind != Tok::number && token.kind != Tok::hash && token.kind != Tok::run &&
+               token.word == word_of(keyword) && token.kind == Words::kind(token.word);
+    }
+    void bump() { ++at_; }
+    const Produced& token(size_t number) const { return ring_[number % kept]; }
+    const Produced& previous() const { return ring_[(at_ - 1) % kept]; }
+    const Produced& current() const { return ring_[at_ % kept]; }
+
+    void produce_unlocked() {
+        const bool locked = session_.stream.locked;
+        session_.stream.locked = false;
+        peek();
+        session_.stream.locked = locked;
+    }
+    void open_run() {
+        const SourceRange where = peek().where;
+        --produced_;
+        session_.stream.open_run(where);
+    }
+    bool take_defined();
+
+    /// Inside brackets nothing is locked, and depth is limited.
+    class Level {
+    public:
+        explicit Level(Session& session) : session_(session), locked_(session.stream.locked) {
+            session.stream.locked = false;
+            ++session.nesting;
+        }
+        Level(const Level&) = delete;
+        Level& operator=(const Level&) = delete;
+        ~Level() {
+            session_.stream.locked = locked_;
+            --session_.nesting;
+        }
+
+    private:
+        Session& session_;
+        bool locked_;
+    };
+    Level enter() {
+        if (session_.nesting >= nesting_limit) {
+            session_.fail(peek().where, "Expressions and blocks are nested too deeply.");
+        }
+        return Level(session_);
+    }
+
+    Session& session() const { return session_; }
+
+private:
+    static constexpr size_t kept = 16;
+    static constexpr int nesting_limit = 250;
+
+    Produced& last() { return ring_[(produced_ - 1) % kept]; }
+    void produce() {
+        ring_[produced_ % kept] = session_.stream.next();
+        ++produced_;
+    }
+
+    Session& session_;
+    std::array<Produced, kept> ring_;
+    size_t at_ = 0;
+    size_t produced_ = 0;
+};
+
+}  // namespace rb

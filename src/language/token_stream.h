@@ -1,0 +1,145 @@
+#pragma once
+#include "language/symbols.h"
+#include "language/token_file.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rb {
+
+struct Session;
+
+/// A token as the grammar sees it: words are looked up at this moment, so a macro's local that is its last
+/// token survives the macro.
+struct Produced {
+    Tok kind = Tok::end;
+    uint32_t word = 0;  ///< word's number; index of a `#` in its file; terms of a run
+    double number = 0;
+    SourceRange where;
+    Place place;  ///< what a `name` stands for
+};
+
+/// The tokens of a scene in the order of execution: a stack of frames (files, macro calls, expanded lists),
+/// each a range of an already lexed vector. Directives run when a token behind them is asked for.
+class TokenStream {
+public:
+    explicit TokenStream(Session& session) : session_(session) {}
+
+    /// The next token after running the directives before it; `Tok::end` at the end of the scene.
+    Produced next();
+    /// Gives back tokens that were looked at but not used (last one first).
+    void give_back(Produced token) { pushback_.push_back(std::move(token)); }
+
+    /// While locked, a `#` is handed on as a token instead of being executed.
+    bool locked = false;
+    /// While quiet, macro names are handed on as names instead of being called.
+    bool quiet = false;
+
+    void open_file(TokenFilePtr tokens, SourceRange included_at, bool own_table);
+    /// Reads the vectors of a run as ordinary tokens.
+    void open_run(const SourceRange& run);
+    /// Executes the directive `word` written without its `#`.
+    void run_directive(uint32_t word, SourceRange where) { execute(word, where, 0); }
+
+    /// Notes that lead from `where` to the main file: macro expansions and includes.
+    std::vector<Diagnostic> trail() const;
+    /// After an error: drops macro calls and goes on behind the statement that began with the last mark().
+    void mark();
+    void recover();
+
+    uint64_t produced() const { return produced_; }
+    size_t include_depth() const;
+
+private:
+    struct Cond {
+        enum class Kind { if_, while_, for_, switch_ };
+        Kind kind = Kind::if_;
+        uint32_t hash = 0;  ///< index of the `#` of the branch being read
+        bool taken = false;
+        bool before_first_case = false;
+        double value = 0;       // switch
+        uint32_t resume = 0;    // loops: token after the keyword, or the start of the body
+        uint32_t variable = 0;  // for
+        SlotPtr slot;
+        double end = 0;
+        double step = 1;
+    };
+    struct Frame {
+        enum class Kind { file, macro, list };
+        Kind kind = Kind::file;
+        TokenFilePtr tokens;
+        uint32_t at = 0;
+        uint32_t end = 0;
+        size_t conds = 0;
+        bool own_table = false;
+        SourceRange called;
+        std::string name;
+    };
+
+    Frame& top() { return frames_.back(); }
+    const Token& token_at(uint32_t index) { return top().tokens->tokens[index]; }
+    void close_frame();
+    bool resolve(const Token& token, Produced& out);
+    void warn_deprecated(Slot& slot, const Produced& at);
+    void call(const MacroPtr& macro, SourceRange where);
+
+    // Raw reading, for directives: no look-up, no execution.
+    Token raw_next();
+    Token raw_peek();
+    SourceRange range(const Token& token) { return top().tokens->range(token); }
+    uint32_t raw_name(std::string_view expected);
+    void raw_expect(Tok kind, std::string_view spelling);
+    std::string found(const Token& token);
+    /// The array element whose subscripts follow.
+    Place raw_element(const Place& array, SourceRange where);
+
+    // Directives (directives.cpp, loops.cpp, declare.cpp, files.cpp).
+    void execute(uint32_t word, SourceRange where, uint32_t hash);
+    void dispatch(uint32_t word, SourceRange where, uint32_t hash);
+    void execute_message(uint32_t word, SourceRange where);
+    void do_include(SourceRange where);
+    void do_declare(bool local, SourceRange where);
+    Place declared_place(uint32_t word, bool local, SourceRange where, const Value& value);
+    void store(const Place& place, SourceRange where, Value value);
+    void do_undef();
+    void do_default(SourceRange where);
+    void do_version(SourceRange where);
+    void do_if(uint32_t hash, SourceRange where);
+    void do_ifdef(bool wanted, uint32_t hash, SourceRange where);
+    void do_else(uint32_t hash, SourceRange where);
+    void do_elseif(uint32_t hash, SourceRange where);
+    void do_switch(uint32_t hash, SourceRange where);
+    void do_case(bool range, uint32_t hash, SourceRange where);
+    void do_while(uint32_t hash, SourceRange where);
+    void do_for(uint32_t hash, SourceRange where);
+    void do_end(SourceRange where);
+    void do_break(SourceRange where);
+    void read_macro_head(Macro& macro);
+    void do_macro(uint32_t hash, SourceRange where);
+    void do_fopen(SourceRange where);
+    void do_fclose();
+    void do_read(SourceRange where);
+    void do_write(SourceRange where);
+    void pass_while(const Cond& cond);
+    bool defined_in_parentheses();
+    void check_cond(Cond::Kind kind, SourceRange where, std::string_view what);
+    bool has_cond() { return conds_.size() > top().conds; }
+    /// Goes on at the next branch (or the end) of the conditional whose branch began at `hash`.
+    uint32_t skip_from(uint32_t hash, SourceRange where);
+    uint32_t end_of(uint32_t hash, SourceRange where);
+    void jump(uint32_t to);
+    void skip_branches(Cond cond, SourceRange where);
+    friend bool defined_name(Session& session);
+
+    Session& session_;
+    std::vector<Frame> frames_;
+    std::vector<Cond> conds_;
+    std::vector<Produced> pushback_;
+    bool before_first_case_ = false;
+    uint64_t produced_ = 0;
+    size_t marked_frames_ = 0;
+    uint32_t marked_at_ = 0;
+};
+
+}  // namespace rb

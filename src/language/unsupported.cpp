@@ -1,0 +1,85 @@
+#include "language/unsupported.h"
+
+#include "language/read_pattern.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+namespace rb {
+
+namespace {
+
+class Walk {
+public:
+    explicit Walk(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+    void object(const ObjectPtr& object) {
+        if (!object || !seen_.insert(object.get()).second) return;
+        if (object->texture) layers(object->texture->layers);
+        if (object->interior_texture) layers(object->interior_texture->layers);
+        if (object->fallback_texture) layers(object->fallback_texture);
+        if (object->interior && object->interior->has_media) {
+            diagnostics_.unsupported(object->interior->where, "media", "the interior is clear");
+        }
+        if (const auto* csg = std::get_if<Csg>(&object->geometry); csg && csg->children) {
+            for (const ObjectPtr& child : *csg->children) this->object(child);
+        }
+        if (const auto* light = std::get_if<LightPtr>(&object->geometry)) {
+            this->object((*light)->looks_like);
+            this->object((*light)->projected_through);
+        }
+        if (const auto* shape = std::get_if<ShapePtr>(&object->geometry); shape && *shape) {
+            for (const TexturePtr& texture : (*shape)->textures()) layers(texture);
+        }
+    }
+
+    void pigment(const PigmentPtr& pigment) {
+        if (!pigment || !seen_.insert(pigment.get()).second) return;
+        if (const auto* p = std::get_if<PatternPtr>(&pigment->source)) pattern(*p);
+        if (const auto* map = std::get_if<BlendMap<PigmentPtr>>(&pigment->map)) {
+            for (const auto& entry : *map) this->pigment(entry.value);
+        }
+    }
+
+private:
+    void layers(const TexturePtr& layers) {
+        if (!layers || !seen_.insert(layers.get()).second) return;
+        for (const Texture& layer : *layers) {
+            pigment(layer.pigment);
+            normal(layer.normal);
+            pattern(layer.pattern);
+            for (const auto& entry : layer.map) this->layers(entry.value);
+        }
+    }
+
+    void normal(const NormalPtr& normal) {
+        if (!normal || !seen_.insert(normal.get()).second) return;
+        pattern(normal->pattern);
+        if (const auto* map = std::get_if<BlendMap<NormalPtr>>(&normal->map)) {
+            for (const auto& entry : *map) this->normal(entry.value);
+        }
+    }
+
+    void pattern(const PatternPtr& pattern) {
+        const auto* unknown = dynamic_cast<const UnsupportedPattern*>(pattern.get());
+        if (!unknown) return;
+        diagnostics_.unsupported(unknown->where, fmt::format("pattern {}", unknown->keyword()),
+                                 "its value is 0.5 everywhere");
+    }
+
+    Diagnostics& diagnostics_;
+    std::set<const void*> seen_;
+};
+
+}  // namespace
+
+void report_unsupported(const Scene& scene, Diagnostics& diagnostics) {
+    Walk walk(diagnostics);
+    for (const ObjectPtr& object : scene.objects) walk.object(object);
+    if (scene.sky_sphere) {
+        for (const PigmentPtr& pigment : scene.sky_sphere->pigments) walk.pigment(pigment);
+    }
+}
+
+}  // namespace rb

@@ -1,0 +1,11 @@
+#pragma once
+#include "base/diagnostics.h"
+#include "scene/scene.h"
+
+namespace rb {
+
+/// Reports what the scene really uses and the renderer does not do yet: patterns, media. Declared but unused
+/// things are not reported.
+void report_unsupported(const Scene& scene, Diagnostics& diagnostics);
+
+}  // namespace rb

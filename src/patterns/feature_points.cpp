@@ -1,0 +1,33 @@
+#include "patterns/feature_points.h"
+
+#include <cstdlib>
+
+namespace rb {
+
+const std::array<CellOffset, 81>& near_cells() {
+    static const std::array<CellOffset, 81> offsets = [] {
+        std::array<CellOffset, 81> out;
+        size_t count = 0;
+        for (int x = -2; x <= 2; ++x) {
+            for (int y = -2; y <= 2; ++y) {
+                for (int z = -2; z <= 2; ++z) {
+                    const int twos = (std::abs(x) == 2) + (std::abs(y) == 2) + (std::abs(z) == 2);
+                    if (twos <= 1) out[count++] = {x, y, z};
+                }
+            }
+        }
+        return out;
+    }();
+    return offsets;
+}
+
+const std::array<Vec3, 81>& NearFeatures::around(const FeatureCell& cell) {
+    if (filled_ && cell == cell_) return points_;
+    const auto& offsets = near_cells();
+    for (size_t i = 0; i < offsets.size(); ++i) points_[i] = cell.point_at(offsets[i], random_);
+    cell_ = cell;
+    filled_ = true;
+    return points_;
+}
+
+}  // namespace rb

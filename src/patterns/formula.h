@@ -1,0 +1,39 @@
+#pragma once
+#include "patterns/registry.h"
+
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace rb {
+
+// The small functions that the pattern formulas share (spec: textures 0).
+
+inline double clamp01(double v) { return v < 0.0 ? 0.0 : (v > 1.0 ? 1.0 : v); }
+inline double fraction(double v) { return v - std::floor(v); }
+/// floor, but one less on negative whole numbers.
+inline double floor_below(double v) { return v >= 0.0 ? std::floor(v) : -std::floor(-v) - 1.0; }
+inline double cycloidal(double v) { return std::sin(2.0 * pi * v); }
+inline double triangle(double v) { return 1.0 - std::abs(2.0 * fraction(v) - 1.0); }
+/// One in the centre, nothing from 1 outward.
+inline double faded(double r) { return r < 0.0 ? 1.0 : (r > 1.0 ? 0.0 : 1.0 - r); }
+inline double single(double v) { return static_cast<double>(static_cast<float>(v)); }
+
+/// A pattern whose value depends on nothing but the point.
+template <class Formula>
+class PointPattern : public Pattern {
+public:
+    void evaluate(const PatternContext&, std::span<const Vec3> points,
+                  std::span<double> values) const override {
+        const auto& formula = static_cast<const Formula&>(*this);
+        for (size_t i = 0; i < points.size(); ++i) values[i] = formula.value(points[i]);
+    }
+};
+
+template <class P>
+PatternPtr read_plain(BlockReader&) {
+    return std::make_shared<P>();
+}
+
+}  // namespace rb

@@ -1,0 +1,98 @@
+#include "patterns/pattern_field.h"
+
+#include "patterns/formula.h"
+#include "patterns/warps.h"
+
+#include <algorithm>
+
+namespace rb {
+
+PatternField::PatternField(PatternPtr pattern, const PatternModifiers& modifiers,
+                           const PatternSettings& settings)
+    : pattern_(std::move(pattern)), modifiers_(modifiers), settings_(settings) {
+    if (pattern_) {
+        if (auto ready = pattern_->prepared(settings.noise_generator, settings.number_of_waves)) {
+            pattern_ = std::move(ready);
+        }
+    }
+    warp_count_ = modifiers_.warps.size();
+    const TurbulenceWarp* classic = modifiers_.classic_turbulence();
+    if (classic) {
+        const bool moves = !(pattern_ && pattern_->keeps_turbulence()) && classic->amount != Vec3{0.0};
+        if (!moves) --warp_count_;
+    }
+    if (modifiers_.noise_generator != 0) settings_.noise_generator = modifiers_.noise_generator;
+}
+
+void PatternField::carry(std::span<Vec3> points) const {
+    for (size_t i = 0; i < warp_count_; ++i) warp_points(modifiers_.warps[i], points);
+    if (warp_count_ > 0) limit_coordinates(points);
+}
+
+PatternContext PatternField::context(const PatternSamples& samples) const {
+    return {modifiers_, settings_.noise_generator, settings_.number_of_waves, samples.surface, samples.rows};
+}
+
+void PatternField::values(const PatternSamples& carried, std::span<double> out) const {
+    pattern_->evaluate(context(carried), carried.points, out);
+    shape(out);
+}
+
+bool PatternField::perturb(const PatternSamples& carried, float amount, std::span<Vec3> normals) const {
+    return pattern_->perturb(context(carried), amount, carried.points, normals);
+}
+
+void PatternField::shape(std::span<double> values) const {
+    // The period is not 1, so that a value of exactly 1 stays 1; patterns without bounds drift by this much.
+    constexpr double period = 1.00001;
+    const double frequency = modifiers_.frequency;
+    const double phase = modifiers_.phase;
+    for (double& v : values) {
+        if (frequency != 0.0) {
+            v = v * frequency + phase;
+            if (std::abs(v) >= period) v = std::fmod(v, period);
+        }
+        if (v < 0.0) v -= std::floor(v);
+    }
+    switch (modifiers_.wave) {
+        case Wave::ramp:
+            break;
+        case Wave::triangle:
+            for (double& v : values) v = triangle(v);
+            break;
+        case Wave::sine:
+            for (double& v : values) v = (1.0 + cycloidal(v)) * 0.5;
+            break;
+        case Wave::scallop:
+            for (double& v : values) v = std::abs(cycloidal(v * 0.5));
+            break;
+        case Wave::cubic:
+            for (double& v : values) v = v * v * (3.0 - 2.0 * v);
+            break;
+        case Wave::poly:
+            for (double& v : values) v = std::pow(v, static_cast<double>(modifiers_.poly_exponent));
+            break;
+    }
+}
+
+MapPlace find_in_map(std::span<const float> positions, bool sorted, double value) {
+    const auto last = static_cast<uint32_t>(positions.size() - 1);
+    // A value that is no number falls on the last entry.
+    if (!(value < static_cast<double>(positions[last]))) return {last, last, 0.0};
+    const auto reaches = [value](float position) { return value <= static_cast<double>(position); };
+    uint32_t current = 0;
+    if (sorted && positions.size() > 8) {
+        current =
+            static_cast<uint32_t>(std::partition_point(positions.begin(), positions.end(),
+                                                       [&](float position) { return !reaches(position); }) -
+                                  positions.begin());
+    } else {
+        while (!reaches(positions[current])) ++current;
+    }
+    const double end = positions[current];
+    if (current == 0 || value == end) return {current, current, 0.0};
+    const double start = positions[current - 1];
+    return {current - 1, current, (value - start) / (end - start)};
+}
+
+}  // namespace rb

@@ -1,0 +1,89 @@
+// onion, leopard, radial, boxed, planar, spherical, cylindrical (manual 3.4.7.1): simple functions of the
+// distance to a point, an axis or a plane.
+#include "patterns/formula.h"
+
+#include <algorithm>
+
+namespace rb {
+
+namespace {
+
+class Onion final : public PointPattern<Onion> {
+public:
+    std::string_view keyword() const override { return "onion"; }
+    double value(const Vec3& p) const { return std::fmod(glm::length(p), 1.0); }
+};
+
+class Leopard final : public PointPattern<Leopard> {
+public:
+    std::string_view keyword() const override { return "leopard"; }
+    double value(const Vec3& p) const {
+        const double mean = (std::sin(p.x) + std::sin(p.y) + std::sin(p.z)) / 3.0;
+        return mean * mean;
+    }
+};
+
+class Radial final : public PointPattern<Radial> {
+public:
+    std::string_view keyword() const override { return "radial"; }
+    double value(const Vec3& p) const {
+        if (std::abs(p.x) < 0.001 && std::abs(p.z) < 0.001) return 0.25;
+        return 0.25 + (std::atan2(p.x, p.z) + pi) / (2.0 * pi);
+    }
+};
+
+class Boxed final : public PointPattern<Boxed> {
+public:
+    std::string_view keyword() const override { return "boxed"; }
+    double value(const Vec3& p) const {
+        return faded(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
+    }
+};
+
+class Planar final : public PointPattern<Planar> {
+public:
+    std::string_view keyword() const override { return "planar"; }
+    double value(const Vec3& p) const { return faded(std::abs(p.y)); }
+};
+
+class Spherical final : public PointPattern<Spherical> {
+public:
+    std::string_view keyword() const override { return "spherical"; }
+    double value(const Vec3& p) const { return faded(glm::length(p)); }
+};
+
+class Cylindrical final : public PointPattern<Cylindrical> {
+public:
+    std::string_view keyword() const override { return "cylindrical"; }
+    double value(const Vec3& p) const { return faded(std::sqrt(p.x * p.x + p.z * p.z)); }
+};
+
+ColorMap radial_map() {
+    return {{0.0f, {0, 1, 1, 0, 0}},
+            {0.333f, {1, 1, 0, 0, 0}},
+            {0.666f, {1, 0, 1, 0, 0}},
+            {1.0f, {0, 1, 1, 0, 0}}};
+}
+
+}  // namespace
+
+namespace patterns {
+extern const PatternKind onion;
+const PatternKind onion{.keyword = "onion", .read = read_plain<Onion>, .example = "onion"};
+extern const PatternKind leopard;
+const PatternKind leopard{.keyword = "leopard", .read = read_plain<Leopard>, .example = "leopard"};
+extern const PatternKind radial;
+const PatternKind radial{
+    .keyword = "radial", .read = read_plain<Radial>, .default_map = radial_map, .example = "radial"};
+extern const PatternKind boxed;
+const PatternKind boxed{.keyword = "boxed", .read = read_plain<Boxed>, .example = "boxed"};
+extern const PatternKind planar;
+const PatternKind planar{.keyword = "planar", .read = read_plain<Planar>, .example = "planar"};
+extern const PatternKind spherical;
+const PatternKind spherical{.keyword = "spherical", .read = read_plain<Spherical>, .example = "spherical"};
+extern const PatternKind cylindrical;
+const PatternKind cylindrical{
+    .keyword = "cylindrical", .read = read_plain<Cylindrical>, .example = "cylindrical"};
+}  // namespace patterns
+
+}  // namespace rb

@@ -1,0 +1,133 @@
+// hexagon, square, triangular (lists in the xz plane) and cubic (a list by the six faces of a cube); manual
+// 3.4.7.1.
+#include "patterns/formula.h"
+#include "patterns/noise.h"
+
+#include <array>
+
+namespace rb {
+
+namespace {
+
+constexpr double root3 = 1.7320508075688772;
+
+class Hexagon final : public PointPattern<Hexagon> {
+public:
+    std::string_view keyword() const override { return "hexagon"; }
+    double value(const Vec3& p) const {
+        // Centres at (1.5 i, root3 (j + i/2)); the nearest is among those of the two nearest columns.
+        const double column = std::floor(p.x / 1.5);
+        double best = 1e300;
+        double best_z = 0;
+        double index = 0;
+        for (const double i : {column, column + 1.0}) {
+            const double offset = p.z / root3 - 0.5 * i;
+            for (const double j : {std::floor(offset), std::floor(offset) + 1.0}) {
+                const double dx = p.x - 1.5 * i;
+                const double z = root3 * (j + 0.5 * i);
+                const double d = dx * dx + (p.z - z) * (p.z - z);
+                if (d < best - 1e-9 || (d < best + 1e-9 && z > best_z)) {
+                    best = d;
+                    best_z = z;
+                    index = 2.0 * i + j;
+                }
+            }
+        }
+        const double kind = std::fmod(index, 3.0);
+        return kind < 0.0 ? kind + 3.0 : kind;
+    }
+};
+
+class Square final : public PointPattern<Square> {
+public:
+    std::string_view keyword() const override { return "square"; }
+    double value(const Vec3& p) const {
+        const bool a = std::fmod(std::floor(p.x), 2.0) != 0.0;
+        const bool b = std::fmod(std::floor(p.z), 2.0) != 0.0;
+        return a ? (b ? 2.0 : 3.0) : (b ? 1.0 : 0.0);
+    }
+};
+
+class Triangular final : public PointPattern<Triangular> {
+public:
+    std::string_view keyword() const override { return "triangular"; }
+    double value(const Vec3& p) const {
+        constexpr double height = root3 / 2.0;
+        double w = p.z - root3 * std::floor(p.z / root3);
+        const bool mirrored = w >= height;
+        if (mirrored) w = root3 - w;
+        const double a = std::floor(p.x);
+        const double u = p.x - a;
+        double v;
+        if (w < root3 * u && w < root3 * (1.0 - u)) {
+            v = modulo6(-2.0 * a);
+        } else {
+            v = modulo6(1.0 + 2.0 * (u < 0.5 ? a : a + 1.0));
+        }
+        return mirrored ? 5.0 - v : v;
+    }
+
+private:
+    static double modulo6(double v) { return v - 6.0 * std::floor(v / 6.0); }
+};
+
+class Cubic final : public PointPattern<Cubic> {
+public:
+    std::string_view keyword() const override { return "cubic"; }
+    double value(const Vec3& p) const {
+        const double x = std::abs(p.x);
+        const double y = std::abs(p.y);
+        const double z = std::abs(p.z);
+        if (p.x >= 0.0 && x >= y && x >= z) return 0.0;
+        if (p.y >= 0.0 && y >= x && y >= z) return 1.0;
+        if (p.z >= 0.0 && z >= x && z >= y) return 2.0;
+        if (p.x < 0.0 && x >= y && x >= z) return 3.0;
+        if (p.y < 0.0 && y >= x && y >= z) return 4.0;
+        return 5.0;
+    }
+};
+
+constexpr Color red{1, 0, 0, 0, 0};
+constexpr Color green{0, 1, 0, 0, 0};
+constexpr Color blue{0, 0, 1, 0, 0};
+constexpr Color yellow{1, 1, 0, 0, 0};
+constexpr Color cyan{0, 1, 1, 0, 0};
+constexpr Color magenta{1, 0, 1, 0, 0};
+constexpr std::array three{blue, green, red};
+constexpr std::array four{red, green, blue, yellow};
+constexpr std::array six{red, green, blue, yellow, cyan, magenta};
+
+}  // namespace
+
+namespace patterns {
+extern const PatternKind hexagon;
+const PatternKind hexagon{.keyword = "hexagon",
+                          .read = read_plain<Hexagon>,
+                          .list_size = 3,
+                          .default_list = three,
+                          .default_frequency = 0,
+                          .example = "hexagon"};
+extern const PatternKind square;
+const PatternKind square{.keyword = "square",
+                         .read = read_plain<Square>,
+                         .list_size = 4,
+                         .default_list = four,
+                         .default_frequency = 0,
+                         .example = "square"};
+extern const PatternKind triangular;
+const PatternKind triangular{.keyword = "triangular",
+                             .read = read_plain<Triangular>,
+                             .list_size = 6,
+                             .default_list = six,
+                             .default_frequency = 0,
+                             .example = "triangular"};
+extern const PatternKind cubic;
+const PatternKind cubic{.keyword = "cubic",
+                        .read = read_plain<Cubic>,
+                        .list_size = 6,
+                        .default_list = six,
+                        .default_frequency = 0,
+                        .example = "cubic"};
+}  // namespace patterns
+
+}  // namespace rb

@@ -1,0 +1,372 @@
+#include "render/antialias.h"
+
+#include "math/jitter.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <unordered_map>
+
+namespace rb {
+
+SampleDistance::SampleDistance(const std::optional<GammaCurve>& assumed_gamma, double antialias_gamma) {
+    double working = 1.0;
+    if (assumed_gamma) {
+        is_srgb_ = std::holds_alternative<SrgbCurve>(*assumed_gamma);
+        if (!is_srgb_) working = std::get<double>(*assumed_gamma);
+    }
+    exponent_ = working / antialias_gamma;
+    raw_ = !is_srgb_ && std::abs(exponent_ - 1.0) <= 0.01;
+}
+
+double SampleDistance::encoded(float v) const {
+    double value = static_cast<double>(v);
+    if (raw_) return value;
+    if (is_srgb_) value = value < 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    return value > 0.0 ? std::pow(value, exponent_) : 0.0;
+}
+
+double SampleDistance::operator()(const Radiance& a, const Radiance& b) const {
+    double sum = std::abs(static_cast<double>(a.transmit) - static_cast<double>(b.transmit));
+    for (int c = 0; c < 3; ++c) {
+        if (a.rgb[c] != b.rgb[c]) sum += std::abs(encoded(a.rgb[c]) - encoded(b.rgb[c]));
+    }
+    return sum;
+}
+
+bool SampleDistance::at_least(const Radiance& a, const Radiance& b, double threshold) const {
+    if (raw_ || is_srgb_ || exponent_ >= 1.0) return (*this)(a, b) >= threshold;
+    // For a concave power the chord is bounded by the slope at the smaller value: |x^e - y^e| <= |x - y| * e
+    // * m^(e-1), and m^(e-1) <= 1 / m. Cheap, and decides nearly all pairs of neighbours.
+    double bound = std::abs(static_cast<double>(a.transmit) - static_cast<double>(b.transmit));
+    for (int c = 0; c < 3; ++c) {
+        const auto x = static_cast<double>(a.rgb[c]);
+        const auto y = static_cast<double>(b.rgb[c]);
+        if (x == y) continue;
+        const double smaller = std::min(x, y);
+        if (smaller <= 0.0) return (*this)(a, b) >= threshold;
+        bound += std::abs(x - y) * exponent_ / std::min(smaller, 1.0);
+    }
+    // A little slack for the rounding of this bound against that of the true distance.
+    if (bound * (1.0 + 1e-9) < threshold) return false;
+    return (*this)(a, b) >= threshold;
+}
+
+void Sampler::sample(std::span<const Vec2> positions, std::vector<Radiance>& out) {
+    batch_.clear();
+    batch_.reserve(positions.size());
+    for (const Vec2& p : positions) {
+        CameraRay ray;
+        if (const auto made = rays_.at(p.x, p.y)) {
+            ray.ray = *made;
+        } else {
+            ray.exists = false;
+        }
+        ray.seed = mix(std::bit_cast<uint64_t>(p.x) ^ mix(std::bit_cast<uint64_t>(p.y)));
+        batch_.push_back(ray);
+    }
+    out.resize(positions.size());
+    integrator_.trace(batch_, out, counters_);
+}
+
+namespace {
+
+void render_plain(Sampler& sampler, const PixelBlock& block, std::span<Radiance> out) {
+    std::vector<Vec2> positions;
+    positions.reserve(out.size());
+    for (int y = block.y0; y < block.y1; ++y) {
+        for (int x = block.x0; x < block.x1; ++x) positions.emplace_back(x, y);
+    }
+    std::vector<Radiance> values;
+    sampler.sample(positions, values);
+    std::ranges::copy(values, out.begin());
+}
+
+/// Method 1. The reference walks the pixels in order, and whether a pixel gets more samples depends on the
+/// final values of its neighbours. Here the walk is repeated: what it wants and does not have yet is traced
+/// as one batch, until a walk finds everything. More samples may be traced than the walk uses in the end;
+/// they change nothing.
+class NeighbourMethod {
+public:
+    NeighbourMethod(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
+                    const SampleDistance& distance)
+        : sampler_(sampler),
+          options_(options),
+          distance_(distance),
+          x0_(block.x0 - 1),
+          y0_(block.y0 - 1),
+          width_(block.width() + 1),
+          height_(block.height() + 1) {}
+
+    void render(std::span<Radiance> out) {
+        trace_centers();
+        while (!walk()) trace_wanted();
+        for (int y = 1; y < height_; ++y) {
+            for (int x = 1; x < width_; ++x) {
+                out[static_cast<size_t>((y - 1) * (width_ - 1) + x - 1)] = value_[index(x, y)];
+            }
+        }
+    }
+
+private:
+    size_t index(int x, int y) const { return static_cast<size_t>(y * width_ + x); }
+
+    void trace_centers() {
+        std::vector<Vec2> positions;
+        positions.reserve(static_cast<size_t>(width_ * height_));
+        for (int y = 0; y < height_; ++y) {
+            for (int x = 0; x < width_; ++x) {
+                // The corner above left is no pixel's neighbour.
+                positions.emplace_back(x + x0_, y + y0_);
+            }
+        }
+        sampler_.sample(positions, center_);
+        refined_.assign(center_.size(), Radiance{});
+        has_refined_.assign(center_.size(), false);
+    }
+
+    /// True if every wanted pixel had its samples.
+    bool walk() {
+        value_ = center_;
+        done_.assign(center_.size(), false);
+        wanted_.clear();
+        for (int x = 0; x < width_; ++x) done_[index(x, 0)] = true;
+        for (int y = 0; y < height_; ++y) done_[index(0, y)] = true;
+        for (int y = 1; y < height_; ++y) {
+            for (int x = 1; x < width_; ++x) {
+                const size_t here = index(x, y);
+                const size_t left = index(x - 1, y);
+                const size_t above = index(x, y - 1);
+                const bool differs_left = distance_.at_least(value_[left], value_[here], options_.threshold);
+                const bool differs_above =
+                    distance_.at_least(value_[above], value_[here], options_.threshold);
+                if (differs_left) refine(left);
+                if (differs_above) refine(above);
+                if (differs_left || differs_above) refine(here);
+            }
+        }
+        return wanted_.empty();
+    }
+
+    void refine(size_t pixel) {
+        if (done_[pixel]) return;
+        done_[pixel] = true;
+        if (has_refined_[pixel]) {
+            value_[pixel] = refined_[pixel];
+        } else {
+            wanted_.push_back(pixel);
+        }
+    }
+
+    void trace_wanted() {
+        const int n = options_.depth;
+        std::vector<Vec2> positions;
+        positions.reserve(wanted_.size() * static_cast<size_t>(n * n));
+        const double step = 1.0 / n;
+        for (const size_t pixel : wanted_) {
+            const int x = static_cast<int>(pixel) % width_ + x0_;
+            const int y = static_cast<int>(pixel) / width_ + y0_;
+            for (int j = 0; j < n; ++j) {
+                for (int i = 0; i < n; ++i) {
+                    const double px = x + (-0.5 + step / 2.0 + i * step);
+                    const double py = y + (-0.5 + step / 2.0 + j * step);
+                    const Vec2 jitter = position_jitter(px, py) * (options_.jitter / n);
+                    positions.emplace_back(px + jitter.x, py + jitter.y);
+                }
+            }
+        }
+        std::vector<Radiance> samples;
+        sampler_.sample(positions, samples);
+        const auto count = static_cast<size_t>(n * n);
+        for (size_t k = 0; k < wanted_.size(); ++k) {
+            const size_t pixel = wanted_[k];
+            Radiance sum = center_[pixel];
+            for (size_t s = k * count; s < (k + 1) * count; ++s) {
+                sum.rgb += samples[s].rgb;
+                sum.transmit += samples[s].transmit;
+            }
+            const float scale = 1.0f / static_cast<float>(count + 1);
+            refined_[pixel] = {sum.rgb * scale, sum.transmit * scale};
+            has_refined_[pixel] = true;
+        }
+    }
+
+    Sampler& sampler_;
+    const AntialiasOptions& options_;
+    const SampleDistance& distance_;
+    int x0_;
+    int y0_;
+    int width_;
+    int height_;
+    std::vector<Radiance> center_;
+    std::vector<Radiance> value_;
+    std::vector<Radiance> refined_;
+    std::vector<bool> has_refined_;
+    std::vector<bool> done_;
+    std::vector<size_t> wanted_;
+};
+
+/// Method 2: each pixel is a square whose corners are sampled; where corners differ, the square is quartered.
+/// Levels are traced in batches over all pixels of the block.
+class CornerMethod {
+public:
+    CornerMethod(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
+                 const SampleDistance& distance)
+        : sampler_(sampler),
+          block_(block),
+          options_(options),
+          distance_(distance),
+          cells_(1 << (options.depth - 1)) {}
+
+    void render(std::span<Radiance> out) {
+        trace_corners();
+        pixels_.resize(out.size());
+        std::vector<size_t> open(out.size());
+        for (size_t i = 0; i < open.size(); ++i) open[i] = i;
+        while (!open.empty()) {
+            wanted_.clear();
+            std::vector<size_t> unfinished;
+            for (const size_t pixel : open) {
+                const size_t before = wanted_.size();
+                out[pixel] = cell(pixel, 0, 0, cells_);
+                if (wanted_.size() != before) unfinished.push_back(pixel);
+            }
+            trace_wanted();
+            open = std::move(unfinished);
+        }
+    }
+
+private:
+    using Lattice = std::unordered_map<uint32_t, Radiance>;
+    struct Wanted {
+        size_t pixel;
+        uint32_t key;
+    };
+
+    static uint32_t key_of(int i, int j) { return static_cast<uint32_t>(j) << 16 | static_cast<uint32_t>(i); }
+
+    void trace_corners() {
+        std::vector<Vec2> positions;
+        for (int y = 0; y <= block_.height(); ++y) {
+            for (int x = 0; x <= block_.width(); ++x) {
+                positions.emplace_back(block_.x0 + x - 0.5, block_.y0 + y - 0.5);
+            }
+        }
+        sampler_.sample(positions, corners_);
+    }
+
+    Vec2 center_of(size_t pixel) const {
+        const auto width = static_cast<size_t>(block_.width());
+        const size_t column = pixel % width;
+        const size_t row = pixel / width;
+        return {block_.x0 + static_cast<double>(column), block_.y0 + static_cast<double>(row)};
+    }
+
+    /// The sample at lattice point (i, j) of a pixel, both 0..cells_; null and remembered as wanted if not
+    /// traced yet.
+    const Radiance* lattice(size_t pixel, int i, int j) {
+        if ((i == 0 || i == cells_) && (j == 0 || j == cells_)) {
+            const auto width = static_cast<size_t>(block_.width());
+            const size_t x = pixel % width + (i ? 1 : 0);
+            const size_t y = pixel / width + (j ? 1 : 0);
+            return &corners_[y * (width + 1) + x];
+        }
+        const uint32_t key = key_of(i, j);
+        const auto found = pixels_[pixel].find(key);
+        if (found != pixels_[pixel].end()) return &found->second;
+        wanted_.push_back({pixel, key});
+        return nullptr;
+    }
+
+    /// Mean over the square of `size` lattice steps at (i, j); meaningless while samples are wanted.
+    Radiance cell(size_t pixel, int i, int j, int size) {
+        const std::array corners{lattice(pixel, i, j), lattice(pixel, i + size, j),
+                                 lattice(pixel, i, j + size), lattice(pixel, i + size, j + size)};
+        Radiance sum;
+        for (const Radiance* corner : corners) {
+            if (!corner) return sum;
+        }
+        if (size > 1 && differ(corners)) {
+            const int half = size / 2;
+            const size_t before = wanted_.size();
+            for (const auto& [x, y] :
+                 {std::pair{half, 0}, {0, half}, {half, half}, {size, half}, {half, size}}) {
+                lattice(pixel, i + x, j + y);
+            }
+            if (wanted_.size() != before) return sum;
+            for (const auto& [x, y] : {std::pair{0, 0}, {half, 0}, {0, half}, {half, half}}) {
+                const Radiance part = cell(pixel, i + x, j + y, half);
+                sum.rgb += part.rgb;
+                sum.transmit += part.transmit;
+            }
+        } else {
+            for (const Radiance* corner : corners) {
+                sum.rgb += corner->rgb;
+                sum.transmit += corner->transmit;
+            }
+        }
+        return {sum.rgb * 0.25f, sum.transmit * 0.25f};
+    }
+
+    bool differ(const std::array<const Radiance*, 4>& corners) const {
+        for (size_t a = 0; a < 4; ++a) {
+            for (size_t b = a + 1; b < 4; ++b) {
+                if (distance_.at_least(*corners[a], *corners[b], options_.threshold)) return true;
+            }
+        }
+        return false;
+    }
+
+    void trace_wanted() {
+        // A cell and its neighbour in the same pixel may want the same point.
+        std::ranges::sort(wanted_, [](const Wanted& a, const Wanted& b) {
+            return std::pair{a.pixel, a.key} < std::pair{b.pixel, b.key};
+        });
+        const auto same = [](const Wanted& a, const Wanted& b) {
+            return a.pixel == b.pixel && a.key == b.key;
+        };
+        wanted_.erase(std::unique(wanted_.begin(), wanted_.end(), same), wanted_.end());
+        std::vector<Vec2> positions;
+        positions.reserve(wanted_.size());
+        const double amount = options_.jitter / ((1 << options_.depth) + 1);
+        for (const Wanted& w : wanted_) {
+            const Vec2 center = center_of(w.pixel);
+            const double px = center.x - 0.5 + static_cast<double>(w.key & 0xffffu) / cells_;
+            const double py = center.y - 0.5 + static_cast<double>(w.key >> 16) / cells_;
+            const Vec2 jitter = position_jitter(px, py) * amount;
+            positions.emplace_back(px + jitter.x, py + jitter.y);
+        }
+        std::vector<Radiance> samples;
+        sampler_.sample(positions, samples);
+        for (size_t k = 0; k < wanted_.size(); ++k)
+            pixels_[wanted_[k].pixel].emplace(wanted_[k].key, samples[k]);
+    }
+
+    Sampler& sampler_;
+    const PixelBlock& block_;
+    const AntialiasOptions& options_;
+    const SampleDistance& distance_;
+    int cells_;  ///< lattice steps along a pixel's side
+    std::vector<Radiance> corners_;
+    std::vector<Lattice> pixels_;
+    std::vector<Wanted> wanted_;
+};
+
+}  // namespace
+
+void render_block(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
+                  const SampleDistance& distance, std::span<Radiance> out) {
+    switch (options.method) {
+        case 1:
+            NeighbourMethod(sampler, block, options, distance).render(out);
+            break;
+        case 2:
+            CornerMethod(sampler, block, options, distance).render(out);
+            break;
+        default:
+            render_plain(sampler, block, out);
+            break;
+    }
+}
+
+}  // namespace rb

@@ -1,0 +1,34 @@
+#pragma once
+#include "math/ray.h"
+#include "scene/camera.h"
+
+#include <optional>
+
+namespace rb {
+
+/// Makes the rays of a camera for a picture of a given size (geometry spec 18.3, 18.4).
+class CameraRays {
+public:
+    CameraRays(const Camera& camera, int width, int height);
+
+    /// The ray through the continuous picture position (x, y): (0, 0) is the centre of the top left pixel, x
+    /// grows to the right, y downward. Empty where this kind of camera makes no ray. The direction is unit
+    /// length.
+    std::optional<Ray> at(double x, double y) const;
+
+private:
+    std::optional<Vec3> direction(double x0, double y0) const;
+    Vec3 origin(double x0, double y0) const;
+
+    Camera camera_;
+    double width_;
+    double height_;
+    Vec3 unit_right_;
+    Vec3 unit_up_;
+    Vec3 unit_direction_;
+    double right_length_;
+    double up_length_;
+    double angle_;  ///< radians
+};
+
+}  // namespace rb

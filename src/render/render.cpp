@@ -1,0 +1,69 @@
+#include "render/render.h"
+
+#include "base/parallel.h"
+
+#include <mutex>
+
+namespace rb {
+
+namespace {
+
+std::vector<PixelBlock> blocks_of(const PixelBlock& region, int size) {
+    std::vector<PixelBlock> blocks;
+    for (int y = region.y0; y < region.y1; y += size) {
+        for (int x = region.x0; x < region.x1; x += size) {
+            blocks.push_back({x, y, std::min(x + size, region.x1), std::min(y + size, region.y1)});
+        }
+    }
+    return blocks;
+}
+
+void add(RayCounters& sum, const RayCounters& part) {
+    sum.camera += part.camera;
+    sum.reflected += part.reflected;
+    sum.refracted += part.refracted;
+    sum.shadow += part.shadow;
+}
+
+}  // namespace
+
+RenderResult render(const World& world, const RenderOptions& options, const std::atomic<bool>& stop,
+                    const std::function<void(size_t, size_t)>& progress) {
+    const PixelBlock& region = options.region;
+    const size_t total = static_cast<size_t>(region.width()) * static_cast<size_t>(region.height());
+
+    RenderResult result;
+    result.film.width = options.width;
+    result.film.height = options.height;
+    result.film.pixels.resize(static_cast<size_t>(options.width) * static_cast<size_t>(options.height));
+
+    const Integrator integrator(world, options.shading);
+    const CameraRays rays(world.camera, options.width, options.height);
+    const SampleDistance distance(world.settings.assumed_gamma, options.antialias.gamma);
+    const std::vector<PixelBlock> blocks = blocks_of(region, options.block_size);
+
+    std::mutex mutex;
+    size_t done = 0;
+    parallel_for(blocks.size(), options.threads, [&](size_t i) {
+        if (stop.load(std::memory_order_relaxed)) return;
+        const PixelBlock& block = blocks[i];
+        const size_t count = static_cast<size_t>(block.width()) * static_cast<size_t>(block.height());
+        RayCounters counters;
+        std::vector<Radiance> pixels(count);
+        Sampler sampler(integrator, rays, counters);
+        render_block(sampler, block, options.antialias, distance, pixels);
+
+        const std::lock_guard lock(mutex);
+        for (int y = block.y0; y < block.y1; ++y) {
+            const auto row = pixels.begin() + static_cast<std::ptrdiff_t>(y - block.y0) * block.width();
+            std::copy_n(row, block.width(), &result.film.at(block.x0, y));
+        }
+        add(result.counters, counters);
+        done += count;
+        if (progress) progress(done, total);
+    });
+    result.complete = done == total;
+    return result;
+}
+
+}  // namespace rb

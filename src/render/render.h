@@ -1,0 +1,46 @@
+#pragma once
+#include "render/antialias.h"
+
+#include <atomic>
+#include <functional>
+#include <vector>
+
+namespace rb {
+
+/// The finished light of a picture, before gamma and quantisation.
+struct Film {
+    int width = 0;
+    int height = 0;
+    std::vector<Radiance>
+        pixels;  ///< rows top to bottom; pixels that were not rendered are black, transmit 0
+
+    Radiance& at(int x, int y) {
+        return pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
+    }
+    const Radiance& at(int x, int y) const {
+        return pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
+    }
+};
+
+struct RenderOptions {
+    int width = 160;
+    int height = 120;
+    PixelBlock region{0, 0, 160, 120};  ///< what to render
+    int block_size = 32;
+    int threads = 0;  ///< 0: all cores that this process may use
+    AntialiasOptions antialias;
+    ShadingOptions shading;
+};
+
+struct RenderResult {
+    Film film;
+    RayCounters counters;
+    bool complete = true;  ///< false if `stop` ended it early; finished blocks are in the film
+};
+
+/// Renders a world. `progress(done, total)` counts pixels, is called from any thread, one call at a time.
+/// `stop` may be set by a signal handler: blocks that have begun are finished.
+RenderResult render(const World& world, const RenderOptions& options, const std::atomic<bool>& stop,
+                    const std::function<void(size_t done, size_t total)>& progress);
+
+}  // namespace rb

@@ -1,0 +1,61 @@
+#pragma once
+#include "shade/finish_terms.h"
+#include "shade/shadow.h"
+
+namespace rb {
+
+/// One place to be lit: a hit with the normal and pigment of one layer.
+struct LitRow {
+    uint32_t hit = 0;   ///< index into StreamState::hits
+    uint32_t root = 0;  ///< row in the group, for the shadow memory
+    LitPlace place;
+    Rgb light{0.0f};  ///< result
+};
+
+/// What arrives from each light at each hit of a group, so that layers and blended textures of one hit share
+/// their shadow rays.
+class ShadowMemory {
+public:
+    ShadowMemory(size_t rows, size_t lights, bool keep, Scratch::Scope& memory);
+
+    /// Null if not known (or not kept).
+    const Rgb* find(size_t row, size_t light) const {
+        return keep_ && known_[row * lights_ + light] ? &colors_[row * lights_ + light] : nullptr;
+    }
+    void store(size_t row, size_t light, const Rgb& color) {
+        if (!keep_) return;
+        known_[row * lights_ + light] = 1;
+        colors_[row * lights_ + light] = color;
+    }
+
+private:
+    bool keep_;
+    size_t lights_;
+    std::span<Rgb> colors_;
+    std::span<uint8_t> known_;
+};
+
+/// Adds the light of all light sources (manual 3.4.4, 3.4.6.3).
+class DirectLight {
+public:
+    DirectLight(const ShadingProgram& program, StreamState& state)
+        : program_(program), state_(state), shadows_(program, state) {}
+
+    void add(const FinishProgram& finish, std::span<LitRow> rows, ShadowMemory& memory);
+
+private:
+    void add_one(const FinishProgram& finish, size_t light, LitRow& row, ShadowMemory& memory);
+    LitPlace roughened(size_t light, const LitRow& row) const;
+    Rgb from_center(const FinishProgram& finish, size_t light, const LitRow& row, const LightVector& way,
+                    ShadowMemory& memory);
+    Rgb from_area(const FinishProgram& finish, size_t light, const LitRow& row, const LightVector& way,
+                  ShadowMemory& memory);
+    Rgb arriving(size_t light, const LitRow& row, const LightVector& way, const Rgb& color,
+                 ShadowMemory& memory);
+
+    const ShadingProgram& program_;
+    StreamState& state_;
+    ShadowTracer shadows_;
+};
+
+}  // namespace rb

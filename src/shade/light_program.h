@@ -1,0 +1,44 @@
+#pragma once
+#include "scene/light.h"
+
+namespace rb {
+
+/// Direction and distance from a surface point to a light.
+struct LightVector {
+    Vec3 direction{0.0};  ///< unit
+    double distance = 0;
+};
+
+/// A light with what its formulas need worked out once (manual 3.4.4).
+class LightProgram {
+public:
+    explicit LightProgram(const Light& light);
+
+    const Light& light() const { return light_; }
+    const Rgb& color() const { return light_.color; }
+    bool is_shadowless() const { return light_.kind == LightKind::shadowless; }
+    /// Illuminates from every grid point with its own direction.
+    bool area_illumination() const { return light_.is_area && light_.area.area_illumination; }
+    uint32_t sample_count() const;
+
+    /// From `p` to the centre, moved by `offset` on the light's area.
+    LightVector toward(const Vec3& p, const Vec3& offset) const;
+    /// Cone and fading with distance; 0 outside the cone.
+    double attenuation(const Vec3& p, const LightVector& way) const;
+
+    /// Offset of grid position (u, v), which need not be whole, as seen from the direction `from_center` to
+    /// the centre.
+    Vec3 area_offset(double u, double v, const Vec3& from_center) const;
+
+private:
+    double spot_cone(const LightVector& way) const;
+    double cylinder_cone(const Vec3& p) const;
+
+    Light light_;
+    Vec3 direction_{0.0};  ///< from the light to what it points at
+    double cos_radius_ = 0;
+    double cos_falloff_ = 0;
+    bool fades_ = false;
+};
+
+}  // namespace rb

@@ -1,0 +1,228 @@
+#include "shade/ray_stream.h"
+
+#include "shade/surface_shader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rb {
+
+namespace {
+
+/// Length of a ray that hits nothing, for the atmosphere.
+constexpr double endless = 2e10;
+
+}  // namespace
+
+void RayStream::trace(std::span<const CameraRay> rays, std::span<Radiance> out) {
+    start(rays);
+    while (!state_.rays.empty()) run_wave();
+    finish(rays, out);
+}
+
+void RayStream::start(std::span<const CameraRay> rays) {
+    state_.rays.clear();
+    state_.next.clear();
+    state_.power_slots.clear();
+    state_.interiors.clear();
+    state_.slots.assign(rays.size(), Slot{});
+    state_.blockers.assign(program_.sample_count, no_leaf);
+    state_.counters = {};
+    if (!(1.0f >= program_.world.settings.adc_bailout)) return;
+
+    Vec3 origin = program_.world.camera.location;
+    InteriorList inside = state_.interiors.add(program_.camera_interiors);
+    for (size_t i = 0; i < rays.size(); ++i) {
+        if (!rays[i].exists) continue;
+        if (program_.tracks_interiors && rays[i].ray.origin != origin) {
+            origin = rays[i].ray.origin;
+            inside = state_.interiors.add(program_.geometry.interiors_at(origin));
+        }
+        PathRay ray;
+        ray.ray = rays[i].ray;
+        ray.slot = static_cast<uint32_t>(i);
+        ray.seed = rays[i].seed;
+        ray.inside = inside;
+        state_.rays.push_back(ray);
+        ++state_.counters.camera;
+    }
+}
+
+void RayStream::run_wave() {
+    intersect();
+    shade_hits();
+    std::swap(state_.rays, state_.next);
+    state_.next.clear();
+}
+
+void RayStream::intersect() {
+    state_.hits.clear();
+    Scratch::Scope memory(thread_scratch());
+    const auto misses = memory.take<uint32_t>(state_.rays.size());
+    size_t miss_count = 0;
+    for (uint32_t i = 0; i < state_.rays.size(); ++i) {
+        const PathRay& ray = state_.rays[i];
+        RayQuery query;
+        query.ray = ray.ray;
+        query.mask = ray.reflected ? seen_by_reflection : seen_by_image;
+        query.origin_leaf = ray.origin_leaf;
+        query.origin_part = ray.origin_part;
+        query.origin_error = ray.origin_error;
+        Hit hit;
+        if (program_.geometry.closest(query, hit)) {
+            add_hit(i, hit);
+        } else {
+            misses[miss_count++] = i;
+        }
+    }
+    shade_sky(misses.first(miss_count));
+}
+
+void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
+    const PathRay& ray = state_.rays[ray_index];
+    HitPoint& point = state_.hits.emplace_back();
+    point.point = hit.point;
+    point.direction = ray.ray.direction;
+    const bool from_inside = glm::dot(hit.normal, point.direction) > 0.0;
+    point.normal = from_inside ? -hit.normal : hit.normal;
+    point.t = hit.t;
+    point.error = hit.error;
+    point.ray = ray_index;
+    point.leaf = hit.leaf;
+    point.part = hit.crossing.part;
+    point.weight = ray.weight;
+    point.alpha = ray.alpha;
+    pass_fog(ray, hit.t, point.weight, point.alpha);
+    const Leaf& leaf = program_.geometry.leaf(hit.leaf);
+    if (leaf.first_texture_surface == no_surface) {
+        dress_hit(state_.hits.size() - 1, program_.surfaces[leaf.surface], from_inside, hit);
+    } else {
+        split_hit(from_inside, hit);
+    }
+}
+
+/// Makes one hit point of each surface that a mesh wears here.
+void RayStream::split_hit(bool from_inside, const Hit& hit) {
+    const HitPoint whole = state_.hits.back();
+    state_.hits.pop_back();
+    std::array<SurfaceWeight, 3> worn;
+    const int count = program_.geometry.surfaces_at(hit, worn);
+    for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
+        if (count > 1 && worn[i].weight < program_.world.settings.adc_bailout) continue;
+        HitPoint& part = state_.hits.emplace_back(whole);
+        part.weight *= worn[i].weight;
+        part.alpha *= worn[i].weight;
+        dress_hit(state_.hits.size() - 1, program_.surfaces[worn[i].surface], from_inside, hit);
+    }
+}
+
+void RayStream::dress_hit(size_t index, const SurfaceProgram& surface, bool from_inside, const Hit& hit) {
+    HitPoint& point = state_.hits[index];
+    point.look = from_inside ? surface.interior_look : surface.look;
+    point.interior = surface.interior;
+    point.uv_mapping = surface.uv_mapping;
+    point.double_illuminate = surface.double_illuminate;
+    if (!surface.uv_mapping && !program_.textures[program_.looks[point.look].texture].needs_surface) return;
+    if (state_.uv.size() <= index) state_.uv.resize(index + 1);
+    state_.uv[index] = program_.geometry.uv(hit);
+}
+
+void RayStream::pass_fog(const PathRay& ray, double length, Rgb& weight, float& alpha) {
+    if (program_.fog.empty() || !state_.in_the_open(program_.world, ray.inside)) return;
+    const FogEffect effect = program_.fog.along(ray.ray, length);
+    state_.slots[ray.slot].rgb += weight * effect.added;
+    weight *= effect.attenuation;
+    alpha *= grey(effect.attenuation);
+}
+
+void RayStream::shade_sky(std::span<const uint32_t> misses) {
+    if (misses.empty()) return;
+    Scratch::Scope memory(thread_scratch());
+    const auto directions = memory.take<Vec3>(misses.size());
+    const auto shows_alpha = memory.take<uint8_t>(misses.size());
+    const auto light = memory.take<SkyLight>(misses.size(), SkyLight{});
+    for (size_t i = 0; i < misses.size(); ++i) {
+        const PathRay& ray = state_.rays[misses[i]];
+        directions[i] = ray.ray.direction;
+        shows_alpha[i] = program_.options.alpha_output && !ray.reflected ? 1 : 0;
+    }
+    program_.sky.evaluate(directions, shows_alpha, light);
+    for (size_t i = 0; i < misses.size(); ++i) {
+        const PathRay& ray = state_.rays[misses[i]];
+        Rgb weight = ray.weight;
+        float alpha = ray.alpha;
+        pass_fog(ray, endless, weight, alpha);
+        Slot& slot = state_.slots[ray.slot];
+        slot.rgb += weight * light[i].rgb;
+        slot.transmit += alpha * light[i].transmit;
+    }
+}
+
+void RayStream::fill_samples() {
+    const size_t count = state_.hits.size();
+    state_.points.resize(count);
+    state_.seen_normals.resize(count);
+    state_.directions.resize(count);
+    state_.uv.resize(count);
+    for (size_t i = 0; i < count; ++i) {
+        const HitPoint& hit = state_.hits[i];
+        state_.points[i] = hit.point;
+        state_.seen_normals[i] = hit.normal;
+        state_.directions[i] = hit.direction;
+    }
+}
+
+/// Hits by look, in the order of the wave within each.
+std::span<const uint32_t> RayStream::group_hits(Scratch::Scope& memory) {
+    const size_t count = state_.hits.size();
+    state_.look_counts.resize(program_.looks.size());
+    const auto used = memory.take<uint32_t>(std::min(count, program_.looks.size()));
+    size_t used_count = 0;
+    for (const HitPoint& hit : state_.hits) {
+        if (state_.look_counts[hit.look]++ == 0) used[used_count++] = hit.look;
+    }
+    std::sort(used.begin(), used.begin() + static_cast<std::ptrdiff_t>(used_count));
+    uint32_t start = 0;
+    for (const uint32_t look : used.first(used_count)) {
+        start += std::exchange(state_.look_counts[look], start);
+    }
+    const auto order = memory.take<uint32_t>(count);
+    for (size_t i = 0; i < count; ++i) {
+        order[state_.look_counts[state_.hits[i].look]++] = static_cast<uint32_t>(i);
+    }
+    for (const uint32_t look : used.first(used_count)) state_.look_counts[look] = 0;
+    return order;
+}
+
+void RayStream::shade_hits() {
+    if (state_.hits.empty()) return;
+    fill_samples();
+    Scratch::Scope memory(thread_scratch());
+    const auto order = group_hits(memory);
+    SurfaceShader shader(program_, state_);
+    for (size_t begin = 0; begin < order.size();) {
+        const uint32_t look = state_.hits[order[begin]].look;
+        size_t end = begin + 1;
+        while (end < order.size() && state_.hits[order[end]].look == look) ++end;
+        shader.shade(program_.looks[look], order.subspan(begin, end - begin));
+        begin = end;
+    }
+}
+
+void RayStream::finish(std::span<const CameraRay> rays, std::span<Radiance> out) {
+    // Later slots belong to mirrors seen in earlier ones.
+    for (size_t k = state_.power_slots.size(); k-- > 0;) {
+        const PowerSlot& mirror = state_.power_slots[k];
+        const Rgb& light = state_.slots[mirror.slot].rgb;
+        const Rgb raised{std::pow(light.x, mirror.power), std::pow(light.y, mirror.power),
+                         std::pow(light.z, mirror.power)};
+        state_.slots[mirror.parent].rgb += mirror.weight * raised;
+    }
+    for (size_t i = 0; i < rays.size(); ++i) {
+        out[i] = rays[i].exists ? Radiance{state_.slots[i].rgb, state_.slots[i].transmit}
+                                : Radiance{Rgb(0.0f), 1.0f};
+    }
+}
+
+}  // namespace rb

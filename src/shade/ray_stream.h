@@ -1,0 +1,31 @@
+#pragma once
+#include "shade/stream_state.h"
+
+namespace rb {
+
+/// Follows one batch of camera rays, wave by wave, until nothing is left to follow.
+class RayStream {
+public:
+    RayStream(const ShadingProgram& program, StreamState& state) : program_(program), state_(state) {}
+
+    void trace(std::span<const CameraRay> rays, std::span<Radiance> out);
+
+private:
+    void start(std::span<const CameraRay> rays);
+    void run_wave();
+    void intersect();
+    void add_hit(uint32_t ray_index, const Hit& hit);
+    void split_hit(bool from_inside, const Hit& hit);
+    void dress_hit(size_t index, const SurfaceProgram& surface, bool from_inside, const Hit& hit);
+    std::span<const uint32_t> group_hits(Scratch::Scope& memory);
+    void shade_sky(std::span<const uint32_t> misses);
+    void shade_hits();
+    void fill_samples();
+    void pass_fog(const PathRay& ray, double length, Rgb& weight, float& alpha);
+    void finish(std::span<const CameraRay> rays, std::span<Radiance> out);
+
+    const ShadingProgram& program_;
+    StreamState& state_;
+};
+
+}  // namespace rb

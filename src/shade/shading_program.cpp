@@ -1,0 +1,70 @@
+#include "shade/shading_program.h"
+
+#include <algorithm>
+#include <map>
+
+namespace rb {
+
+ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions& chosen)
+    : world(world_to_shade),
+      geometry(*world_to_shade.geometry),
+      options(chosen),
+      patterns{world_to_shade.settings.noise_generator, world_to_shade.settings.number_of_waves},
+      before_37(world_to_shade.effective_version < 370),
+      sky(world_to_shade.sky_sphere, world_to_shade.background, patterns, before_37),
+      fog(chosen.quality >= 9 ? world_to_shade.fogs : std::vector<Fog>{}, patterns.noise_generator) {
+    options.quality = std::clamp(options.quality, 0, 9);
+    add_surfaces();
+    add_lights();
+    for (const SurfaceMask kind : {blocks_light, filters_light}) {
+        if (geometry.has(kind)) shadow_mask |= kind;
+    }
+    if (tracks_interiors) camera_interiors = geometry.interiors_at(world.camera.location);
+}
+
+void ShadingProgram::add_surfaces() {
+    const TextureSettings settings{patterns, world.settings.ambient_light, options.quality};
+    tracks_interiors = !fog.empty();
+    std::map<const TextureLayers*, uint32_t> known;
+    const auto compiled = [&](const WornTexture& worn) {
+        const auto [entry, is_new] =
+            known.try_emplace(worn.layers.get(), static_cast<uint32_t>(textures.size()));
+        if (is_new) {
+            textures.emplace_back(*worn.layers, settings);
+            const TextureProgram& texture = textures.back();
+            tracks_interiors = tracks_interiors || texture.passes_light || texture.has_fresnel;
+        }
+        Look look{entry->second, {}};
+        if (!worn.world_from_texture.is_identity()) look.transform.emplace_back(worn.world_from_texture);
+        const bool same_as_last = !looks.empty() && looks.back().texture == look.texture &&
+                                  look.transform.empty() && looks.back().transform.empty();
+        if (!same_as_last) looks.push_back(std::move(look));
+        return static_cast<uint32_t>(looks.size() - 1);
+    };
+    surfaces.reserve(world.surfaces.size());
+    for (const Surface& surface : world.surfaces) {
+        SurfaceProgram program;
+        program.look = compiled(surface.texture);
+        program.interior_look = surface.interior_texture ? compiled(*surface.interior_texture) : program.look;
+        program.interior = surface.interior;
+        program.uv_mapping = surface.uv_mapping;
+        program.double_illuminate = surface.double_illuminate;
+        surfaces.push_back(program);
+    }
+}
+
+void ShadingProgram::add_lights() {
+    for (const Light& light : world.lights) {
+        LightProgram program(light);
+        if (options.quality < 5 && light.is_area) {
+            Light point = light;
+            point.is_area = false;
+            program = LightProgram(point);
+        }
+        first_sample.push_back(sample_count);
+        sample_count += program.sample_count();
+        lights.push_back(std::move(program));
+    }
+}
+
+}  // namespace rb

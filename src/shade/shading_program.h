@@ -1,0 +1,59 @@
+#pragma once
+#include "compile/geometry.h"
+#include "shade/fog.h"
+#include "shade/integrator.h"
+#include "shade/light_program.h"
+#include "shade/sky.h"
+#include "shade/texture_program.h"
+
+namespace rb {
+
+/// A texture at its place: objects that differ only in where they stand share the texture.
+struct Look {
+    uint32_t texture = 0;         ///< index into ShadingProgram::textures
+    std::vector<Warp> transform;  ///< the object's, as a chain of at most one
+};
+
+/// What a surface of the world wears, compiled.
+struct SurfaceProgram {
+    uint32_t look = 0;           ///< index into ShadingProgram::looks
+    uint32_t interior_look = 0;  ///< the same as `look` if it has none of its own
+    uint32_t interior = 0;
+    bool uv_mapping = false;
+    bool double_illuminate = false;
+};
+
+/// A world compiled for shading; immutable while rendering.
+struct ShadingProgram {
+    ShadingProgram(const World& world_to_shade, const ShadingOptions& chosen);
+
+    const World& world;
+    const Geometry& geometry;
+    ShadingOptions options;
+    PatternSettings patterns;
+    bool before_37 = false;  ///< the older rules for opacity and sky
+    std::vector<TextureProgram> textures;
+    std::vector<Look> looks;
+    std::vector<SurfaceProgram> surfaces;
+    std::vector<LightProgram> lights;
+    std::vector<uint32_t> first_sample;  ///< of each light among all samples of all lights
+    uint32_t sample_count = 0;
+    SkyProgram sky;
+    FogProgram fog;
+
+    uint8_t shadow_mask = 0;  ///< which kinds of leaves shadow rays can meet at all
+    bool tracks_interiors = false;
+    std::vector<uint32_t> camera_interiors;
+
+    double ior_of(uint32_t interior) const {
+        const double ior = world.interiors[interior].interior.ior;
+        return ior == 0.0 ? 1.0 : ior;
+    }
+    const SurfaceProgram& surface_of(uint32_t leaf) const { return surfaces[geometry.leaf(leaf).surface]; }
+
+private:
+    void add_surfaces();
+    void add_lights();
+};
+
+}  // namespace rb

@@ -1,0 +1,228 @@
+#include "shade/shadow.h"
+
+#include "shade/area_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rb {
+
+namespace {
+
+bool is_black(const Rgb& c) {
+    return std::abs(c.x) < 1e-10f && std::abs(c.y) < 1e-10f && std::abs(c.z) < 1e-10f;
+}
+
+float difference(const Rgb& a, const Rgb& b) {
+    return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
+}
+
+/// What lies this near to a light does not shade it: 0.001 as in the language, less for tiny scenes.
+double shadow_reach(double distance) { return distance - std::min(1e-3, 1e-4 * distance); }
+
+}  // namespace
+
+Rgb interior_fade(const Interior& interior, double distance) {
+    const double s = distance / interior.fade_distance;
+    if (interior.fade_power >= 1000.0) {
+        const Rgb dim = (Rgb(1.0f) - interior.fade_color) * static_cast<float>(-s);
+        return {std::exp(dim.x), std::exp(dim.y), std::exp(dim.z)};
+    }
+    const auto k = static_cast<float>(1.0 / (1.0 + std::pow(s, interior.fade_power)));
+    return interior.fade_color + (Rgb(1.0f) - interior.fade_color) * k;
+}
+
+Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place,
+                   std::span<const Warp> transform, const Vec3& normal, const Vec3& light_direction,
+                   double caustics) {
+    Rgb filter(1.0f);
+    if (texture.is_patterned()) {
+        Scratch::Scope memory(thread_scratch());
+        const auto points = texture.uv_mapping ? uv_points(place, memory) : place.points;
+        const PatternSamples moved = place.at(carried(texture.field, points, memory));
+        const auto of = [&](size_t k) {
+            return texture_filter(texture.children[k], moved, transform, normal, light_direction, caustics);
+        };
+        if (texture.average) {
+            Rgb sum(0.0f);
+            float total = 0;
+            for (size_t k = 0; k < texture.children.size(); ++k) {
+                sum += texture.positions.positions[k] * of(k);
+                total += texture.positions.positions[k];
+            }
+            return total == 0.0f ? sum : sum / total;
+        }
+        double value = 0;
+        texture.field.values(moved, {&value, 1});
+        const MapPlace at = texture.positions.find(value);
+        if (at.first == at.second) return of(at.first);
+        const auto t = static_cast<float>(at.t);
+        return (1.0f - t) * of(at.first) + t * of(at.second);
+    }
+    for (const LayerProgram& layer : texture.layers) {
+        Color color;
+        layer.pigment.evaluate(place, {&color, 1});
+        filter *= passed(color);
+        const double exponent = layer.finish.finish.caustics ? *layer.finish.finish.caustics : caustics;
+        if (exponent == 0.0) continue;
+        Vec3 n = normal;
+        if (layer.normal) {
+            const bool unit_length = !layer.normal->keeps_length();
+            normals_into(transform, unit_length, {&n, 1});
+            layer.normal->perturb(place, {&n, 1});
+            normals_out_of(transform, unit_length, {&n, 1});
+        }
+        const double c = std::abs(glm::dot(glm::normalize(n), light_direction));
+        filter *= static_cast<float>(1.0 + std::pow(c, exponent));
+    }
+    return filter;
+}
+
+Rgb ShadowTracer::arriving(size_t light, const HitPoint& hit, const LightVector& to_center,
+                           const Rgb& color) {
+    const LightProgram& program = program_.lights[light];
+    if (program.is_shadowless() || program_.options.quality < 4) return color;
+    if (program.light().is_area) return over_area(light, hit, to_center, color);
+    return along(program.light(), hit, to_center, color, state_.blockers[program_.first_sample[light]]);
+}
+
+Rgb ShadowTracer::along(const Light& light, const HitPoint& hit, const LightVector& way, Rgb color,
+                        uint32_t& blocker) {
+    const double t_max = shadow_reach(way.distance);
+    if (!(t_max > 0.0)) return color;
+    if (light.media_interaction && light.media_attenuation && !program_.fog.empty() &&
+        state_.in_the_open(program_.world, state_.ray_of(hit).inside)) {
+        color *= program_.fog.along({hit.point, way.direction}, way.distance).attenuation;
+    }
+    ++state_.counters.shadow;
+    RayQuery query = StreamState::query_from(hit, way.direction, t_max, program_.shadow_mask);
+    if (!program_.geometry.occluded(query, blocker)) return color;
+    if (program_.geometry.leaf(blocker).mask & blocks_light) return Rgb(0.0f);
+    // Something clear is in the way; whatever is opaque behind or before it decides first.
+    query.mask = blocks_light;
+    uint32_t opaque_blocker = no_leaf;
+    if (program_.geometry.has(blocks_light) && program_.geometry.occluded(query, opaque_blocker)) {
+        blocker = opaque_blocker;
+        return Rgb(0.0f);
+    }
+    return filtered(hit, way, t_max, color);
+}
+
+Rgb ShadowTracer::filtered(const HitPoint& from, const LightVector& way, double t_max, Rgb color) {
+    const auto view = state_.interiors.view(state_.ray_of(from).inside);
+    thread_local std::vector<uint32_t> inside;
+    inside.assign(view.begin(), view.end());
+    RayQuery query = StreamState::query_from(from, way.direction, t_max, filters_light);
+    Hit hit;
+    while (program_.geometry.closest(query, hit)) {
+        color *= filter_of(hit, way.direction, hit.t, inside);
+        if (is_black(color)) return Rgb(0.0f);
+        const uint32_t interior = program_.surface_of(hit.leaf).interior;
+        const auto known = std::find(inside.begin(), inside.end(), interior);
+        if (known != inside.end()) {
+            inside.erase(known);
+        } else {
+            inside.push_back(interior);
+        }
+        query.t_max -= hit.t;
+        if (!(query.t_max > 0.0)) break;
+        query.ray.origin = hit.point;
+        query.origin_leaf = hit.leaf;
+        query.origin_part = hit.crossing.part;
+        query.origin_error = hit.error;
+    }
+    return color;
+}
+
+Rgb ShadowTracer::filter_of(const Hit& hit, const Vec3& direction, double segment,
+                            std::span<const uint32_t> inside) {
+    std::array<SurfaceWeight, 3> worn;
+    const int count = program_.geometry.surfaces_at(hit, worn);
+    Rgb filter(0.0f);
+    for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
+        filter += worn[i].weight * surface_filter(program_.surfaces[worn[i].surface], hit, direction);
+    }
+    const uint32_t own = program_.surface_of(hit.leaf).interior;
+    const Interior& interior = program_.world.interiors[own].interior;
+    const bool leaves = std::find(inside.begin(), inside.end(), own) != inside.end();
+    if (leaves && interior.fade_power > 0.0 && std::abs(interior.fade_distance) > 1e-10) {
+        filter *= interior_fade(interior, segment);
+    }
+    return filter;
+}
+
+Rgb ShadowTracer::surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction) {
+    const bool from_inside = glm::dot(hit.normal, direction) > 0.0;
+    const Look& look = program_.looks[from_inside ? surface.interior_look : surface.look];
+    const TextureProgram& texture = program_.textures[look.texture];
+    const Vec3 normal = from_inside ? -hit.normal : hit.normal;
+    Vec2 uv{0.0};
+    if (surface.uv_mapping || texture.needs_surface) uv = program_.geometry.uv(hit);
+    Vec3 point = surface.uv_mapping ? Vec3{uv.x, uv.y, 0.0} : hit.point;
+    if (!look.transform.empty()) point = std::get<Transform>(look.transform.front()).inverse_point(point);
+    const SurfaceSamples samples{{&hit.point, 1}, {&normal, 1}, {&direction, 1}, {&uv, 1}};
+    constexpr uint32_t row = 0;
+    const double caustics = program_.world.interiors[surface.interior].interior.caustics * 45.0;
+    return texture_filter(texture, {{&point, 1}, &samples, {&row, 1}}, look.transform, normal, direction,
+                          caustics);
+}
+
+/// One evaluation of an area light: every grid point is looked at once at most.
+struct ShadowTracer::Grid {
+    size_t light;
+    const HitPoint& hit;
+    const AreaSampler& sampler;
+    const Rgb& color;
+    std::span<Rgb> arrived;
+    std::span<uint8_t> known;
+};
+
+Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector& to_center,
+                            const Rgb& color) {
+    const AreaGrid& area = program_.lights[light].light().area;
+    Scratch::Scope memory(thread_scratch());
+    const size_t count = program_.lights[light].sample_count();
+    const AreaSampler sampler(program_.lights[light], light, state_.ray_of(hit).seed, to_center.direction, 0,
+                              memory);
+    Grid grid{light, hit, sampler, color, memory.take<Rgb>(count), memory.take<uint8_t>(count, uint8_t{0})};
+    return grid_cell(grid, 0, 0, area.size1 - 1, area.size2 - 1, 0);
+}
+
+const Rgb& ShadowTracer::grid_point(Grid& grid, int u, int v) {
+    const LightProgram& light = program_.lights[grid.light];
+    const auto index =
+        static_cast<size_t>(v) * static_cast<size_t>(light.light().area.size1) + static_cast<size_t>(u);
+    if (!grid.known[index]) {
+        grid.known[index] = 1;
+        const Vec3 offset = grid.sampler.offset(u, v);
+        uint32_t& blocker = state_.blockers[program_.first_sample[grid.light] + index];
+        grid.arrived[index] =
+            along(light.light(), grid.hit, light.toward(grid.hit.point, offset), grid.color, blocker);
+    }
+    return grid.arrived[index];
+}
+
+Rgb ShadowTracer::grid_cell(Grid& grid, int u1, int v1, int u2, int v2, int level) {
+    Rgb s0 = grid_point(grid, u1, v1);
+    Rgb s1 = grid_point(grid, u2, v1);
+    Rgb s2 = grid_point(grid, u1, v2);
+    Rgb s3 = grid_point(grid, u2, v2);
+    if (u2 - u1 > 1 || v2 - v1 > 1) {
+        constexpr float threshold = 0.1f;
+        const bool differ = difference(s0, s1) > threshold || difference(s1, s3) > threshold ||
+                            difference(s3, s2) > threshold || difference(s2, s0) > threshold;
+        if (level < program_.lights[grid.light].light().area.adaptive || differ) {
+            const int u_low = (u1 + u2) / 2;
+            const int u_high = (u1 + u2 + 1) / 2;
+            const int v_low = (v1 + v2) / 2;
+            const int v_high = (v1 + v2 + 1) / 2;
+            s0 = grid_cell(grid, u1, v1, u_low, v_low, level + 1);
+            s1 = grid_cell(grid, u_high, v1, u2, v_low, level + 1);
+            s2 = grid_cell(grid, u1, v_high, u_low, v2, level + 1);
+            s3 = grid_cell(grid, u_high, v_high, u2, v2, level + 1);
+        }
+    }
+    return 0.25f * (s0 + s1 + s2 + s3);
+}
+
+}  // namespace rb

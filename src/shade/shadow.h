@@ -1,0 +1,38 @@
+#pragma once
+#include "shade/stream_state.h"
+
+namespace rb {
+
+/// Follows shadow rays from lit points to lights.
+class ShadowTracer {
+public:
+    ShadowTracer(const ShadingProgram& program, StreamState& state) : program_(program), state_(state) {}
+
+    /// What of `color` arrives at a hit from `light`, at its centre or over its area. Adaptive area sampling
+    /// compares colours, so they come with their attenuation.
+    Rgb arriving(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color);
+
+private:
+    struct Grid;
+    Rgb along(const Light& light, const HitPoint& hit, const LightVector& way, Rgb color, uint32_t& blocker);
+    Rgb filtered(const HitPoint& hit, const LightVector& way, double t_max, Rgb color);
+    Rgb filter_of(const Hit& hit, const Vec3& direction, double segment, std::span<const uint32_t> inside);
+    Rgb surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction);
+    Rgb over_area(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color);
+    const Rgb& grid_point(Grid& grid, int u, int v);
+    Rgb grid_cell(Grid& grid, int u1, int v1, int u2, int v2, int level);
+
+    const ShadingProgram& program_;
+    StreamState& state_;
+};
+
+/// Light factor that a texture lets through at one place: the product of its layers (manual 3.4.7.8).
+/// `transform` is the object's, for normals; `caustics`: exponent of fake caustics, 0 for none.
+Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place,
+                   std::span<const Warp> transform, const Vec3& normal, const Vec3& light_direction,
+                   double caustics);
+
+/// Distance attenuation of an interior (manual 3.4.7.5).
+Rgb interior_fade(const Interior& interior, double distance);
+
+}  // namespace rb

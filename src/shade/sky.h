@@ -1,0 +1,35 @@
+#pragma once
+#include "patterns/pigment_program.h"
+#include "scene/scene.h"
+
+namespace rb {
+
+/// What a ray sees that hits nothing.
+struct SkyLight {
+    Rgb rgb{0.0f};
+    float transmit = 0;
+};
+
+/// sky_sphere and background (manual 3.4.8, 3.4.1.3).
+class SkyProgram {
+public:
+    SkyProgram(const std::optional<SkySphere>& sky, const std::optional<Color>& background,
+               const PatternSettings& settings, bool before_37);
+
+    /// `shows_alpha[i]`: the ray counts for alpha output, which then may see through the background.
+    void evaluate(std::span<const Vec3> directions, std::span<const uint8_t> shows_alpha,
+                  std::span<SkyLight> out) const;
+
+private:
+    SkyLight over_background(Rgb color, Rgb filter, bool alpha) const;
+    SkyLight plain_background(bool alpha) const;
+
+    std::vector<PigmentProgram> pigments_;  ///< top first
+    Rgb emission_{1.0f};
+    Transform world_from_sky_;
+    Color background_;
+    bool has_background_ = false;
+    bool before_37_ = false;
+};
+
+}  // namespace rb

@@ -1,0 +1,117 @@
+#pragma once
+#include "shade/integrator.h"
+#include "shade/shading_program.h"
+
+#include <vector>
+
+namespace rb {
+
+/// Interiors that contain a ray, in the order in which it entered them; a view into an InteriorPool.
+struct InteriorList {
+    uint32_t first = 0;
+    uint32_t count = 0;
+};
+
+/// Holds the interior lists of all rays of one batch. Lists are immutable; changing one makes another.
+class InteriorPool {
+public:
+    void clear() { items_.clear(); }
+    std::span<const uint32_t> view(InteriorList list) const {
+        return std::span(items_).subspan(list.first, list.count);
+    }
+    InteriorList add(std::span<const uint32_t> items);
+    InteriorList with(InteriorList list, uint32_t interior);
+    InteriorList without(InteriorList list, size_t position);
+
+private:
+    std::vector<uint32_t> items_;
+};
+
+/// A ray on its way, carrying what the light that it finds counts for. Whitted shading is linear in that
+/// light, so nothing has to wait for it.
+struct PathRay {
+    Ray ray;
+    double origin_error = 0;
+    uint32_t origin_leaf = no_leaf;
+    uint32_t origin_part = any_part;
+    uint32_t slot = 0;     ///< where its light is added up
+    Rgb weight{1.0f};      ///< factor for its light
+    float alpha = 1;       ///< factor for its transmit
+    float importance = 1;  ///< what adc_bailout is compared with
+    float wavelength = 0;  ///< nm; 0: all of them
+    InteriorList inside;
+    uint64_t seed = 0;
+    uint16_t level = 0;
+    bool reflected = false;
+    bool refracted = false;
+    bool continuation = false;  ///< it went on straight, which costs no level
+};
+
+/// Where a ray of the current wave met a surface.
+struct HitPoint {
+    Vec3 point{0.0};
+    Vec3 normal{0.0};  ///< unit, turned towards the ray
+    Vec3 direction{0.0};
+    double t = 0;
+    double error = 0;
+    uint32_t ray = 0;  ///< index into the wave
+    uint32_t leaf = no_leaf;
+    uint32_t part = any_part;
+    bool uv_mapping = false;
+    uint32_t look = 0;
+    uint32_t interior = 0;
+    bool double_illuminate = false;
+    Rgb weight{1.0f};  ///< of its light, after the atmosphere on the way to the eye
+    float alpha = 1;
+};
+
+/// Light added up for a pixel, or for a mirror whose light is raised to a power before it counts.
+struct Slot {
+    Rgb rgb{0.0f};
+    float transmit = 0;
+};
+struct PowerSlot {
+    uint32_t slot = 0;
+    uint32_t parent = 0;
+    Rgb weight{1.0f};
+    float power = 1;
+};
+
+/// The working state of one Integrator::trace call.
+struct StreamState {
+    std::vector<PathRay> rays;
+    std::vector<PathRay> next;
+    std::vector<HitPoint> hits;
+    std::vector<Slot> slots;
+    std::vector<PowerSlot> power_slots;
+    InteriorPool interiors;
+    std::vector<uint32_t> look_counts;  ///< all 0 between waves
+    std::vector<uint32_t> blockers;     ///< per light sample, the leaf that blocked it last
+    RayCounters counters;
+
+    // Surface samples of the hits, for patterns that ask.
+    std::vector<Vec3> points;
+    std::vector<Vec3> seen_normals;
+    std::vector<Vec3> directions;
+    std::vector<Vec2> uv;
+    SurfaceSamples samples() const { return {points, seen_normals, directions, uv}; }
+
+    /// From a hit along a direction.
+    static RayQuery query_from(const HitPoint& hit, const Vec3& direction, double t_max, uint8_t mask) {
+        RayQuery query{{hit.point, direction}, t_max, mask, hit.leaf, hit.error};
+        query.origin_part = hit.part;
+        return query;
+    }
+
+    /// True if nothing solid contains the ray, so that the atmosphere acts on it.
+    bool in_the_open(const World& world, InteriorList inside) const {
+        for (const uint32_t interior : interiors.view(inside)) {
+            if (!world.interiors[interior].hollow) return false;
+        }
+        return true;
+    }
+
+    const PathRay& ray_of(const HitPoint& hit) const { return rays[hit.ray]; }
+};
+
+}  // namespace rb

@@ -1,0 +1,41 @@
+#pragma once
+#include "shade/direct_light.h"
+#include "shade/secondary.h"
+
+namespace rb {
+
+/// Shades groups of hits that wear the same texture: layers and blends, their own light, and the rays they
+/// send on (manual 3.4.6).
+class SurfaceShader {
+public:
+    SurfaceShader(const ShadingProgram& program, StreamState& state)
+        : program_(program), state_(state), light_(program, state), secondary_(program, state) {}
+
+    /// `hits`: indices into StreamState::hits.
+    void shade(const Look& look, std::span<const uint32_t> hits);
+
+private:
+    struct Rows;
+    struct LayerStack;
+    using Chains = std::span<const std::span<const Warp>>;
+
+    void shade_rows(const TextureProgram& texture, const Rows& rows, Chains enclosing, ShadowMemory& memory);
+    void shade_children(const TextureProgram& texture, const Rows& rows, Chains enclosing,
+                        ShadowMemory& memory);
+    void shade_layers(const TextureProgram& texture, const Rows& rows, Chains enclosing,
+                      ShadowMemory& memory);
+    void shade_layer(const LayerProgram& layer, const Rows& rows, std::span<const uint32_t> active,
+                     Chains enclosing, LayerStack& stack, ShadowMemory& memory);
+    void normals_of(const LayerProgram& layer, const PatternSamples& samples, std::span<const uint32_t> hits,
+                    Chains enclosing, std::span<Vec3> normals);
+    void mirror(const LayerProgram& layer, uint32_t row, const LitRow& lit, float share, LayerStack& stack);
+    void send_on(const TextureProgram& texture, const Rows& rows, const LayerStack& stack);
+    Rgb own_light(const LayerProgram& layer, const LitRow& lit) const;
+
+    const ShadingProgram& program_;
+    StreamState& state_;
+    DirectLight light_;
+    SecondaryRays secondary_;
+};
+
+}  // namespace rb

@@ -1,0 +1,74 @@
+#include "shade/texture_program.h"
+
+#include "math/vec.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rb {
+
+namespace {
+
+float largest(const Rgb& c) { return std::max({c.x, c.y, c.z}); }
+
+/// Cosine below which cosine^exponent is lost even under very bright light.
+double highlight_threshold(double exponent) {
+    constexpr double invisible = 1e-12;
+    return exponent > 0.0 ? std::pow(invisible, 1.0 / exponent) : 0.0;
+}
+
+}  // namespace
+
+FinishProgram::FinishProgram(const Finish& written, const Rgb& ambient_light) : finish(written) {
+    own_light = written.ambient * ambient_light + written.emission;
+    takes_light = written.diffuse != 0.0f || written.diffuse_back != 0.0f || written.phong != 0.0f ||
+                  written.specular != 0.0f;
+    const Reflection& r = written.reflection;
+    reflects = r.min != Rgb(0.0f) || r.max != Rgb(0.0f);
+    reflection_importance = std::max(largest(r.min), largest(r.max));
+    phong_threshold = highlight_threshold(written.phong_size);
+    if (written.phong_size >= 60.0f) phong_threshold = std::max(phong_threshold, 0.0008);
+    specular_threshold = highlight_threshold(written.roughness_exponent);
+}
+
+TextureProgram::TextureProgram(const TextureLayers& written, const TextureSettings& settings) {
+    for (size_t i = written.size(); i-- > 0;) {
+        if (written[i].is_patterned()) {
+            add_children(written[i], settings);
+            return;
+        }
+        add_layer(written[i], settings);
+    }
+}
+
+void TextureProgram::add_layer(const Texture& texture, const TextureSettings& settings) {
+    static const Pigment black;
+    static const Finish plain;
+    LayerProgram layer{
+        PigmentProgram(texture.pigment ? *texture.pigment : black, settings.patterns, settings.quality <= 5),
+        std::nullopt, FinishProgram(texture.finish ? *texture.finish : plain, settings.ambient_light)};
+    if (texture.normal && settings.quality >= 8) layer.normal.emplace(*texture.normal, settings.patterns);
+    if (settings.quality < 8) layer.finish.reflects = false;
+    needs_surface =
+        needs_surface || layer.pigment.needs_surface() || (layer.normal && layer.normal->needs_surface());
+    passes_light = passes_light || layer.pigment.passes_light();
+    has_fresnel = has_fresnel || (layer.finish.reflects && layer.finish.finish.reflection.fresnel);
+    layers.push_back(std::move(layer));
+}
+
+void TextureProgram::add_children(const Texture& texture, const TextureSettings& settings) {
+    average = texture.average;
+    uv_mapping = texture.uv_mapping;
+    field = PatternField(average ? nullptr : texture.pattern, texture.modifiers, settings.patterns);
+    positions = MapPositions::of(texture.map);
+    needs_surface = uv_mapping || field.needs_surface();
+    for (const auto& entry : texture.map) {
+        children.emplace_back(*entry.value, settings);
+        const TextureProgram& child = children.back();
+        needs_surface = needs_surface || child.needs_surface;
+        passes_light = passes_light || child.passes_light;
+        has_fresnel = has_fresnel || child.has_fresnel;
+    }
+}
+
+}  // namespace rb

@@ -1,0 +1,168 @@
+#include "app/command_line.h"
+
+#include "app/animation.h"
+#include "app/ini_options.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace rb {
+namespace {
+
+Settings parse(std::vector<std::string> words) {
+    setenv("POVINI", "/dev/null", 1);  // no INI file of this machine
+    setenv("HOME", "/nonexistent", 1);
+    return parse_command_line(words).settings;
+}
+
+TEST(CommandLine, PovSwitches) {
+    const Settings s = parse({"+Ia.pov", "+Oout.png", "+W640", "-H480", "+A0.1", "+AM2", "+R4", "+J0.5",
+                              "+Q11", "-D", "+P", "-V", "+FN16", "+UA", "+L/x", "+WT3", "+SC0.5", "+ER20"});
+    EXPECT_EQ(s.input_file, "a.pov");
+    EXPECT_EQ(s.output_file, "out.png");
+    EXPECT_EQ(s.width, 640);
+    EXPECT_EQ(s.height, 480);
+    EXPECT_TRUE(s.antialias);
+    EXPECT_DOUBLE_EQ(s.antialias_options.threshold, 0.1);
+    EXPECT_EQ(s.antialias_options.method, 2);
+    EXPECT_EQ(s.antialias_options.depth, 4);
+    EXPECT_DOUBLE_EQ(s.jitter_amount, 0.5);
+    EXPECT_EQ(s.quality, 9);
+    EXPECT_FALSE(s.verbose);
+    EXPECT_EQ(s.bits_per_color, 16);
+    EXPECT_TRUE(s.alpha);
+    EXPECT_EQ(s.library_paths, std::vector<std::string>{"/x"});
+    EXPECT_EQ(s.threads, 3);
+    EXPECT_EQ(s.start_column, 0.5);
+    EXPECT_EQ(s.end_row, 20.0);
+}
+
+TEST(CommandLine, PlainAntialiasIsMethodOne) {
+    EXPECT_EQ(parse({"a.pov", "+A"}).antialias_options.method, 1);
+    EXPECT_FALSE(parse({"a.pov", "+A", "-A"}).antialias);
+}
+
+// The reference refuses these (shading spec 12.1).
+TEST(CommandLine, WrongWordsAreErrors) {
+    for (const char* word : {"+A.3", "+A1.0", "+Z", "Bogus=1", "+W", "+Wabc", "+FX", "nosuch.txt", "-res"}) {
+        EXPECT_THROW(parse({"a.pov", word}), UsageError) << word;
+    }
+    EXPECT_THROW(parse({}), UsageError);
+    EXPECT_THROW(parse({"a.pov", "+W100000", "+H100000"}), UsageError);
+    EXPECT_THROW(parse({"a.pov", "+W0"}), UsageError);
+}
+
+// Callers pass several switches in one argument, and quotes that reach us.
+TEST(CommandLine, ArgumentsAreSplitAndUnquoted) {
+    const Settings s = parse({"+Q11 +R3 +A0.1 +J0.5", "+I\"/tmp/some scene.pov\"", "Library_Path='/a b'",
+                              "Output_File_Name='x.png'", "Declare=_stereo=0", "Antialias=On", "Jitter=Off"});
+    EXPECT_EQ(s.antialias_options.depth, 3);
+    EXPECT_EQ(s.input_file, "/tmp/some scene.pov");
+    EXPECT_EQ(s.library_paths.back(), "/a b");
+    EXPECT_EQ(s.output_file, "x.png");
+    ASSERT_EQ(s.declares.size(), 1u);
+    EXPECT_EQ(s.declares[0].first, "_stereo");
+    EXPECT_FALSE(s.jitter);
+}
+
+TEST(CommandLine, LongOptions) {
+    const Settings s = parse({"render", "a.pov", "-o", "x.exr", "--size", "320x200", "--threads", "2",
+                              "--geometry", "exact", "--stats", "json", "+A0.2", "--no-skip"});
+    EXPECT_EQ(s.width, 320);
+    EXPECT_EQ(s.height, 200);
+    EXPECT_EQ(s.threads, 2);
+    EXPECT_EQ(s.file_type, FileType::exr);
+    EXPECT_EQ(s.geometry, GeometryMode::exact);
+    EXPECT_EQ(s.stats_file, "-");
+    EXPECT_FALSE(s.skip_unneeded);
+    EXPECT_DOUBLE_EQ(s.antialias_options.threshold, 0.2);
+    EXPECT_THROW(parse({"a.pov", "--geometry", "round"}), UsageError);
+    EXPECT_THROW(parse({"a.pov", "--bogus"}), UsageError);
+}
+
+TEST(Ini, SectionsCommentsAndSwitches) {
+    const auto path = std::filesystem::path(testing::TempDir()) / "settings.ini";
+    std::ofstream(path)
+        << "; a comment\nWidth =800\nHeight = 600.0 ; another\n-d\nInput_File_Name=\"scene.pov\"\n"
+           "[small]\nWidth=80\n+H60\n[other]\nWidth=1\n";
+    EXPECT_EQ(parse({path.string()}).width, 800);
+    const Settings s = parse({path.string() + "[SMALL]"});
+    EXPECT_EQ(s.width, 80);
+    EXPECT_EQ(s.height, 60);
+    EXPECT_EQ(s.input_file, "scene.pov");
+    std::ofstream(path) << "Width=80\nWydth=80\n";
+    try {
+        parse({path.string()});
+        FAIL();
+    } catch (const UsageError& error) {
+        EXPECT_NE(std::string(error.what()).find(":2: unknown option 'Wydth'"), std::string::npos)
+            << error.what();
+    }
+    std::ofstream(path) << "Include_Ini=" << path.string() << "\n";
+    EXPECT_THROW(parse({path.string()}), UsageError);
+}
+
+TEST(Output, NamesFollowTheReference) {
+    Settings s;
+    s.input_file = "dir/scene.pov";
+    EXPECT_EQ(output_path(s, ""), "dir/scene.png");
+    EXPECT_EQ(output_path(s, "07"), "dir/scene07.png");
+    s.output_file = "out/";
+    EXPECT_EQ(output_path(s, ""), "out/scene.png");
+    s.output_file = "q.png";
+    EXPECT_EQ(output_path(s, ""), "q.png");
+    EXPECT_EQ(output_path(s, "3"), "q3.png");
+    s.output_file = "q.jpg";
+    EXPECT_EQ(output_path(s, ""), "q.jpg.png");
+    s.output_file = "scene.pov.tga";
+    s.file_type = FileType::tga;
+    EXPECT_EQ(output_path(s, ""), "scene.pov.tga");
+    s.output_file = "-";
+    EXPECT_EQ(output_path(s, ""), "-");
+}
+
+TEST(Region, FractionsAndPixels) {
+    Settings s;
+    s.width = s.height = 4;
+    s.start_column = 2;
+    s.end_column = 3;
+    PixelBlock r = region_of(s);
+    EXPECT_EQ(r.x0, 1);
+    EXPECT_EQ(r.x1, 3);
+    s.end_column.reset();
+    s.start_column = 0.5;
+    r = region_of(s);
+    EXPECT_EQ(r.x0, 2);
+    EXPECT_EQ(r.x1, 4);
+    s.start_column = 5;
+    EXPECT_THROW(region_of(s), UsageError);
+    s.start_column = 3;
+    s.end_column = 2;
+    EXPECT_EQ(region_of(s).width(), 0);
+}
+
+// Language spec 26.5, measured.
+TEST(Animation, FramesAndClocks) {
+    const auto clocks = [](std::vector<std::string> words) {
+        words.insert(words.begin(), "a.pov");
+        std::vector<std::pair<int, double>> out;
+        for (const Frame& f : frames_of(parse(words))) out.emplace_back(f.number, f.clock);
+        return out;
+    };
+    using List = std::vector<std::pair<int, double>>;
+    EXPECT_EQ(clocks({"+KFF3"}), (List{{1, 0}, {2, .5}, {3, 1}}));
+    EXPECT_EQ(clocks({"+KFI2", "+KFF4", "+KI1", "+KF2"}), (List{{2, 1}, {3, 1.5}, {4, 2}}));
+    EXPECT_EQ(clocks({"+KFI1", "+KFF4", "+KF0", "+SF3"}), (List{{3, 0}, {4, 0}}));
+    EXPECT_EQ(clocks({"+KFI1", "+KFF4", "+KF0", "+STP2"}), (List{{1, 0}, {3, 0}}));
+    EXPECT_EQ(clocks({"+KFI0", "+KFF1"}), (List{{0, 0}, {1, 1}}));
+    EXPECT_EQ(clocks({"+KI1", "+KF2"}), (List{{0, 0}}));
+    const auto cyclic = frames_of(parse({"a.pov", "+KFI1", "+KFF9", "+KC"}));
+    EXPECT_EQ(cyclic.size(), 9u);
+    EXPECT_EQ(cyclic.front().digits, 2);
+    EXPECT_EQ(cyclic.front().final_frame, 10);
+}
+
+}  // namespace
+}  // namespace rb

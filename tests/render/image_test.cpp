@@ -1,0 +1,159 @@
+#include "base/diagnostics.h"
+#include "image/codec.h"
+#include "image/compare.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace rb {
+namespace {
+
+namespace fs = std::filesystem;
+
+Pixels gradient(int width, int height, int channels) {
+    Pixels p(width, height, channels);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            for (int c = 0; c < channels; ++c) {
+                p.at(x, y)[c] = static_cast<float>(x * 4 + y * 2 + c * 10) / 255.0f;
+            }
+        }
+    }
+    return p;
+}
+
+std::string temporary(const std::string& name) { return (fs::path(testing::TempDir()) / name).string(); }
+
+struct FormatCase {
+    const char* name;
+    FileType type;
+    int bits;
+    int channels;
+    float tolerance;
+};
+
+class Formats : public testing::TestWithParam<FormatCase> {};
+
+TEST_P(Formats, RoundTrip) {
+    const FormatCase& c = GetParam();
+    const Pixels written = gradient(37, 21, c.channels);
+    OutputFormat format;
+    format.type = c.type;
+    format.bits = c.bits;
+    format.curve = Curve(GammaCurve{SrgbCurve{}});
+    if (is_linear(c.type)) format.curve = Curve(GammaCurve{1.0});
+    const std::string path = temporary(std::string("roundtrip_") + c.name);
+    write_image(written, format, path);
+    const Pixels read = read_image(path);
+    ASSERT_EQ(read.width, written.width);
+    ASSERT_EQ(read.height, written.height);
+    float largest = 0;
+    for (int y = 0; y < read.height; ++y) {
+        for (int x = 0; x < read.width; ++x) {
+            for (int k = 0; k < 3; ++k) {
+                const float want = written.at(x, y)[c.channels == 1 ? 0 : k];
+                largest = std::max(largest, std::abs(read.at(x, y)[k] - want));
+            }
+            if (c.channels == 4)
+                largest = std::max(largest, std::abs(read.at(x, y)[3] - written.at(x, y)[3]));
+        }
+    }
+    EXPECT_LE(largest, c.tolerance);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Formats,
+                         testing::Values(FormatCase{"rgb8.png", FileType::png, 8, 3, 1e-6f},
+                                         FormatCase{"rgba8.png", FileType::png, 8, 4, 1e-6f},
+                                         FormatCase{"grey16.png", FileType::png, 16, 1, 1e-6f},
+                                         FormatCase{"rgb16.png", FileType::png, 16, 3, 1e-6f},
+                                         FormatCase{"a.ppm", FileType::ppm, 8, 3, 1e-6f},
+                                         FormatCase{"b.ppm", FileType::ppm, 16, 3, 1e-6f},
+                                         FormatCase{"a.tga", FileType::tga, 8, 3, 1e-6f},
+                                         FormatCase{"b.tga", FileType::tga_uncompressed, 8, 4, 1e-6f},
+                                         FormatCase{"a.bmp", FileType::bmp, 8, 3, 1e-6f},
+                                         FormatCase{"a.jpg", FileType::jpeg, 8, 3, 0.03f},
+                                         FormatCase{"a.exr", FileType::exr, 8, 3, 1e-3f},
+                                         FormatCase{"a.hdr", FileType::hdr, 8, 3, 0.02f},
+                                         FormatCase{"a.tif", FileType::tiff, 16, 3, 1e-6f}),
+                         [](const auto& i) {
+                             std::string name = i.param.name;
+                             std::ranges::replace(name, '.', '_');
+                             return name;
+                         });
+
+// The PNG writer is the fast twin of OpenImageIO's.
+TEST(Png, EqualsTheSlowTwin) {
+    for (const int channels : {1, 3, 4}) {
+        for (const int bits : {8, 16}) {
+            OutputFormat format;
+            format.bits = bits;
+            const Samples samples = quantise(gradient(33, 17, channels), format);
+            write_png(samples, format, temporary("fast.png"));
+            write_with_oiio(samples, format, temporary("slow.png"));
+            EXPECT_EQ(read_image(temporary("fast.png")).values, read_image(temporary("slow.png")).values);
+        }
+    }
+}
+
+TEST(WriteImage, FailureLeavesTheOldFileAndNothingElse) {
+    const fs::path folder = fs::path(testing::TempDir()) / "write_image";
+    fs::remove_all(folder);
+    fs::create_directories(folder / "taken.png");  // a folder in the way: renaming onto it fails
+    EXPECT_THROW(write_image(gradient(4, 4, 3), {}, (folder / "taken.png").string()), IoError);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}), 1);
+    EXPECT_THROW(write_image(gradient(4, 4, 3), {}, (folder / "no/such/folder.png").string()), IoError);
+}
+
+TEST(ReadImage, TruncatedFilesAreErrors) {
+    const std::string path = temporary("whole.png");
+    write_image(gradient(24, 64, 3), {}, path);
+    std::ifstream in(path, std::ios::binary);
+    const std::string all(std::istreambuf_iterator<char>(in), {});
+    for (const size_t length : {size_t{0}, size_t{7}, size_t{30}, all.size() / 2}) {
+        std::ofstream(temporary("cut.png"), std::ios::binary) << all.substr(0, length);
+        EXPECT_THROW(read_image(temporary("cut.png")), IoError) << length;
+    }
+    EXPECT_THROW(read_image(temporary("absent.png")), IoError);
+}
+
+TEST(Gamma, MeasuredPixels) {
+    // Language spec 6: flat colour <.5,.2,.1> and the 8-bit result.
+    const auto byte = [](const OutputEncoding& e, float v) {
+        return static_cast<int>(std::floor(e.encode(v) * 255 + 0.5f));
+    };
+    const OutputEncoding linear(GammaCurve{1.0}, GammaCurve{SrgbCurve{}});
+    EXPECT_EQ(byte(linear, .5f), 188);
+    EXPECT_EQ(byte(linear, .2f), 124);
+    EXPECT_EQ(byte(linear, .1f), 89);
+    const OutputEncoding none(std::nullopt, GammaCurve{SrgbCurve{}});
+    EXPECT_EQ(byte(none, .5f), 128);
+    EXPECT_EQ(byte(none, .2f), 51);
+    const OutputEncoding power(GammaCurve{2.2}, GammaCurve{SrgbCurve{}});
+    EXPECT_EQ(byte(power, .5f), 128);
+    EXPECT_EQ(byte(power, .2f), 48);
+    EXPECT_EQ(byte(power, .1f), 19);
+    const OutputEncoding file22(GammaCurve{1.0}, GammaCurve{2.2});
+    EXPECT_EQ(byte(file22, .5f), 186);
+    EXPECT_EQ(byte(file22, .2f), 123);
+    EXPECT_EQ(byte(file22, .1f), 90);
+}
+
+TEST(Compare, CountsAndRmse) {
+    Pixels a(20, 20, 3);
+    Pixels b = a;
+    b.at(3, 4)[1] = 9.0f / 255.0f;
+    b.at(5, 6)[2] = 8.0f / 255.0f;
+    const ImageDifference d = compare(a, b);
+    EXPECT_DOUBLE_EQ(d.share_off, 1.0 / 400);
+    EXPECT_NEAR(d.rmse, std::sqrt((81.0 + 64.0) / 1200), 1e-6);
+    EXPECT_NEAR(d.max_error, 9.0, 1e-5);
+    EXPECT_LT(d.ssim, 1.0);
+    EXPECT_DOUBLE_EQ(compare(a, a).ssim, 1.0);
+    EXPECT_THROW(compare(a, Pixels(3, 3, 3)), IoError);
+}
+
+}  // namespace
+}  // namespace rb
