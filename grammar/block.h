@@ -43,8 +43,8 @@ struct plain_word : is<Tok::keyword, Tok::function, Tok::call_one, Tok::call_man
 struct stray : is_not<Tok::rbrace, Tok::rbracket> {};
 
 /// items = { item [","] }
-struct item : sor<packed_run, color_item, srgb_gamma, block, value_item, function_item, tuple, plain_word,
-                  entry, stray> {};
+struct item : sor<packed_run, color_item, srgb_gamma, block, value_item, function_item, function_image, tuple,
+                  plain_word, entry, stray> {};
 struct items : star<item, opt_comma> {};
 
 /// What follows the keyword of a statement.

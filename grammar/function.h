@@ -16,17 +16,40 @@ struct parameters : if_must<parameters_open, nested<star<parameter, opt_comma>, 
 struct body_open : is<Tok::lbrace> {};
 struct body_close : is<Tok::rbrace> {};
 
-/// body = "internal" "(" sum ")" | block | or
+/// spline = "spline" "{" [ spline identifier ] { spline type | full "," full [","] } "}"
+struct spline_word : word_is<Keyword::spline> {};
+struct spline_value : seq<full> {};
+struct spline_close : is<Tok::rbrace> {};
+struct spline : if_must<spline_word, is<Tok::lbrace>,
+                        nested<star<sor<spline_type, spline_value>, opt_comma>, must<spline_close>>> {};
+
+/// body = "internal" "(" sum ")" | spline | block | or
 struct internal_word : word_is<Keyword::internal> {};
 struct internal_number : seq<sum> {};
 struct internal_body : if_must<internal_word, paren_open, nested<internal_number, must<paren_close>>> {};
 struct block_body : seq<block> {};
+struct spline_body : seq<spline> {};
 struct expression_body : seq<f_or> {};
-struct body : sor<internal_body, block_body, expression_body> {};
+struct body : sor<internal_body, spline_body, block_body, expression_body> {};
 struct function_begin : seq<function_word, sor<tao::pegtl::at<body_open>, tao::pegtl::at<parameters_open>>> {
 };
 struct function_literal
     : if_must<function_begin, opt<parameters>, body_open, nested<body, must<body_close>>> {};
+
+/// image = "function" sum [","] sum "{" body "}"        or "function" function identifier
+struct value_is_number {
+    template <class State>
+    static bool ask(State& state) {
+        return state.value_is_number();
+    }
+};
+struct image_word : seq<function_word, tao::pegtl::not_at<is<Tok::lbrace, Tok::lparen>>> {};
+struct image_value : seq<sum> {};
+struct image_body_open : is<Tok::lbrace> {};
+struct image_body : if_must<image_body_open, nested<body, must<body_close>>> {};
+struct image_size : seq<ask<value_is_number>, opt_comma> {};
+struct function_image : if_must<image_word, image_value, opt<if_must<image_size, image_value, image_body>>> {
+};
 
 /// operand = number | constant | identifier | parameter | "(" or ")" | call
 struct f_number : is<Tok::number> {};

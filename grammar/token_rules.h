@@ -86,6 +86,19 @@ struct open_next {
     }
 };
 
+/// Looks at tokens without calling macros.
+template <class... Rules>
+struct quiet {
+    using rule_t = quiet;
+    using subs_t = type_list<Rules...>;
+    template <apply_mode A, rewind_mode M, template <class...> class Action,
+              template <class...> class Control, class Input, class... States>
+    static bool match(Input& in, States&&... st) {
+        const auto guard = in.be_quiet();
+        return tao::pegtl::internal::seq<Rules...>::template match<A, M, Action, Control>(in, st...);
+    }
+};
+
 /// Between brackets nothing is locked; brackets may nest only so deep.
 template <class... Rules>
 struct nested {

@@ -26,13 +26,6 @@ struct row : sor<seq<ask<array_deep>, rows>, array_item> {};
 struct rows : if_must<rows_open, nested<star<row, opt_comma>, must<rows_close>>> {};
 struct array : if_must<array_word, array_sizes, opt<rows>> {};
 
-/// spline = "spline" "{" [ spline identifier ] { spline type | full "," full [","] } "}"
-struct spline_word : word_is<Keyword::spline> {};
-struct spline_value : seq<full> {};
-struct spline_close : is<Tok::rbrace> {};
-struct spline : if_must<spline_word, is<Tok::lbrace>,
-                        nested<star<sor<spline_type, spline_value>, opt_comma>, must<spline_close>>> {};
-
 /// A texture block may be followed by more of them; other blocks stand alone.
 struct value_is_texture {
     template <class State>
@@ -45,8 +38,10 @@ struct color_value : seq<color> {};
 struct sum_value : seq<sum> {};
 struct block_value : seq<block> {};
 struct texture_follows : word_is<Keyword::texture> {};
+/// Only looked at: a macro that follows must not be called before the texture has its name.
+struct at_texture : tao::pegtl::at<quiet<texture_follows>> {};
 struct layer_block : seq<block> {};
-struct more_layers : star<ask<value_is_texture>, tao::pegtl::at<texture_follows>, layer_block> {};
+struct more_layers : star<ask<value_is_texture>, at_texture, layer_block> {};
 /// transform = "transform" transform identifier
 struct transform_value : seq<word_is<Keyword::transform>, sum> {};
 

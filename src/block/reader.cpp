@@ -117,30 +117,28 @@ void BlockReader::numbers(size_t count, int terms, std::vector<double>& out) {
     }
 }
 
-Color BlockReader::full_color() {
+WrittenColor BlockReader::written_color() {
     if (at(Item::Kind::color)) {
-        const Color color = promote(*item().color, 5);
+        const WrittenColor color = *item().color;
         skip_item();
         return color;
     }
-    WrittenColor bare;
-    bare.has_base = bare.bare = true;
-    bare.base = expect_terms("color");
-    return promote(bare, 5);
+    WrittenColor color;
+    color.has_base = color.bare = true;
+    color.base = expect_terms("color");
+    // `Red filter 0.5`: channels that follow a bare colour belong to it.
+    if (value_ == 0 && at(Item::Kind::color) && !item().color->has_base && !item().color->color_word) {
+        color.set = item().color->set;
+        skip_item();
+    }
+    return color;
 }
+
+Color BlockReader::full_color() { return promote(written_color(), 5); }
 
 Rgb BlockReader::rgb_color() {
     const SourceRange at = where();
-    Color color;
-    if (this->at(Item::Kind::color)) {
-        color = promote(*item().color, 3);
-        skip_item();
-    } else {
-        WrittenColor bare;
-        bare.has_base = bare.bare = true;
-        bare.base = expect_terms("color");
-        color = promote(bare, 3);
-    }
+    const Color color = promote(written_color(), 3);
     if (color.filter != 0.0f || color.transmit != 0.0f) {
         diagnostics().warning(
             at,
@@ -155,6 +153,15 @@ std::string BlockReader::text() {
     std::string value = item().text;
     skip_item();
     return value;
+}
+
+std::string BlockReader::file_name() {
+    if (at_text() && item().raw) {
+        std::string name = *item().raw;
+        skip_item();
+        return name;
+    }
+    return text();
 }
 
 const Block& BlockReader::block(std::string_view keyword) {

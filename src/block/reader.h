@@ -58,6 +58,8 @@ public:
     Color full_color();  ///< five components (pigments, maps, background, fog)
     Rgb rgb_color();     ///< RGB-only contexts (lights, ambient, reflection)
     std::string text();
+    /// A string as a file name: only \\" is an escape.
+    std::string file_name();
 
     template <class T>
     T thing() {
@@ -78,6 +80,7 @@ private:
     bool at(Item::Kind kind) const { return !at_end() && item().kind == kind; }
     const Item& item() const { return block_.items[item_]; }
     Terms expect_terms(std::string_view expected);
+    WrittenColor written_color();
 
     const Block& block_;
     const ReadContext& context_;

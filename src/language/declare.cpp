@@ -52,11 +52,17 @@ size_t checked_subscript(const Operand& operand, size_t size) {
     return static_cast<size_t>(value);
 }
 
-Place TokenStream::declared_place(uint32_t word, bool local, SourceRange where, const Value& value) {
+Place TokenStream::declared_place(uint32_t word, size_t level, bool local, SourceRange where,
+                                  const Value& value) {
     Symbols& symbols = session_.symbols;
-    Place place = local ? symbols.find_local_place(word) : symbols.find_place(word);
+    Place place;
+    if (local) {
+        place = symbols.find_at(word, level);
+    } else {
+        for (size_t at = level + 1; at-- > 0 && !place.known();) place = symbols.find_at(word, at);
+    }
     if (!place.known()) {
-        place.slot = local ? symbols.create_local(word) : symbols.create_global(word);
+        place.slot = symbols.create(word, local ? level : 0);
         return place;
     }
     if (std::holds_alternative<MacroPtr>(place.value())) {
@@ -103,28 +109,33 @@ void TokenStream::do_declare(bool local, SourceRange) {
             }
         }
         raw_expect(Tok::equals, "=");
-        Parser parser(session_);
-        if (parser.peek().kind == Tok::undeclared) {
-            session_.fail(parser.peek().where,
-                          fmt::format("Cannot assign uninitialized identifier.{}",
-                                      session_.hint(session_.words.spelling(parser.peek().word))));
+        // Macro calls on the right side may still be open when the value is known.
+        const size_t level = session_.symbols.depth() - 1;
+        Operand right;
+        {
+            Parser parser(session_);
+            if (parser.peek().kind == Tok::undeclared) {
+                session_.fail(parser.peek().where,
+                              fmt::format("Cannot assign uninitialized identifier.{}",
+                                          session_.hint(session_.words.spelling(parser.peek().word))));
+            }
+            parser.lock(true);
+            right = parser.rvalue();
         }
-        parser.lock(true);
-        Operand right = parser.rvalue();
-        parser.lock(false);
         const bool numeric = std::holds_alternative<Terms>(right.value);
         if (right.place.known()) right.value = deep_copy(right.value);
-        const Place place = element.known() ? element : declared_place(word, local, where, right.value);
+        const Place place =
+            element.known() ? element : declared_place(word, level, local, where, right.value);
         store(place, where, std::move(right.value));
         place.slot->deprecated = deprecated;
         place.slot->deprecated_once = once;
-        const bool ended = parser.take_if(Tok::semicolon);
+        const bool ended = take_semicolon();
         if (!numeric) return;
         if (!ended && session_.language_version >= 350) {
             session_.fail({right.where.file, right.where.end, right.where.end},
                           std::string(semicolon_message));
         }
-        if (ended) parser.take_if(Tok::semicolon);
+        if (ended) take_semicolon();
     } catch (const SceneError&) {
         const Place known = session_.symbols.find_place(word);
         if (!known.known()) session_.symbols.create_global(word)->value = Poison{};

@@ -20,11 +20,8 @@ void TokenStream::execute(uint32_t word, SourceRange where, uint32_t hash) {
 
 void TokenStream::dispatch(uint32_t word, SourceRange where, uint32_t hash) {
     if (!Words::is_keyword(word)) {
-        std::string message = "Expected 'directive' after '#'";
-        if (word != 0xffffffff) {
-            message = fmt::format("Unknown directive '#{}'", session_.words.spelling(word));
-        }
-        session_.fail(where, message);
+        session_.fail(where, fmt::format("Unknown directive '#{}'{}", session_.words.spelling(word),
+                                         session_.hint(session_.words.spelling(word))));
     }
     switch (static_cast<Keyword>(word)) {
         case Keyword::include:

@@ -45,7 +45,7 @@ void TokenStream::do_fopen(SourceRange) {
         }
     }
     const Value value = OpenFilePtr(std::move(file));
-    const Place place = declared_place(word, false, where, value);
+    const Place place = declared_place(word, session_.symbols.depth() - 1, false, where, value);
     store(place, where, value);
 }
 

@@ -160,12 +160,6 @@ struct action<grammar::greater_equal> : add_sign<Tok::greater_equal> {};
 template <>
 struct action<grammar::not_equal> : add_sign<Tok::not_equal> {};
 
-bool opens(Keyword word) {
-    return word == Keyword::if_ || word == Keyword::ifdef || word == Keyword::ifndef ||
-           word == Keyword::while_ || word == Keyword::for_ || word == Keyword::switch_ ||
-           word == Keyword::macro;
-}
-
 bool continues(Keyword word, Keyword opener) {
     if (word == Keyword::else_) {
         return opener == Keyword::if_ || opener == Keyword::ifdef || opener == Keyword::ifndef ||
@@ -189,7 +183,7 @@ void link_branches(TokenFile& out) {
         const uint32_t number = out.tokens[i + 1].aux;
         if (!Words::is_keyword(number)) continue;
         const auto word = static_cast<Keyword>(number);
-        if (opens(word)) {
+        if (opens_branches(word)) {
             open.push_back({word, i});
         } else if (open.empty()) {
             continue;
@@ -204,6 +198,12 @@ void link_branches(TokenFile& out) {
 }
 
 }  // namespace
+
+bool opens_branches(Keyword word) {
+    return word == Keyword::if_ || word == Keyword::ifdef || word == Keyword::ifndef ||
+           word == Keyword::while_ || word == Keyword::for_ || word == Keyword::switch_ ||
+           word == Keyword::macro;
+}
 
 TokenFilePtr lex(uint32_t file, std::string_view text, Words& words, const LexOptions& options) {
     auto out = std::make_shared<TokenFile>();

@@ -146,13 +146,7 @@ bool read_one(Session& session, const BlockSink& sink) {
         session.scene.objects.push_back(std::move(copy));
         return true;
     }
-    constexpr Keyword others[] = {Keyword::camera,         Keyword::fog,   Keyword::rainbow,
-                                  Keyword::sky_sphere,     Keyword::media, Keyword::background,
-                                  Keyword::global_settings};
-    const bool known = token.kind == Tok::keyword &&
-                       (std::find(std::begin(others), std::end(others), static_cast<Keyword>(token.word)) !=
-                            std::end(others) ||
-                        is_object_keyword(session.words.spelling(token.word)));
+    const bool known = token.kind == Tok::keyword && begins_statement(session.words.spelling(token.word));
     if (!known) {
         parser.take();
         fail_statement(session, token);

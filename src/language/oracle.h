@@ -22,6 +22,9 @@ public:
     virtual Bounds extent(const ObjectPtr& object) = 0;
     /// False for surfaces without an inside, for which inside() is an error.
     virtual bool has_inside(const ObjectPtr& object) = 0;
+    /// `object { ... }` as a pattern: 1 inside, 0 outside; must be safe for several threads. Null: not
+    /// available.
+    virtual PatternPtr object_pattern(const ObjectPtr&) { return nullptr; }
 };
 
 }  // namespace rb

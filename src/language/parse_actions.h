@@ -254,6 +254,23 @@ struct action<grammar::function_begin> {
     }
 };
 template <>
+struct action<grammar::image_word> : on_first<&ParseState::add_word> {};
+template <>
+struct action<grammar::image_value> : on_match<&ParseState::add_image_value> {};
+template <>
+struct action<grammar::image_body_open> : action<grammar::function_begin> {};
+template <>
+struct action<grammar::image_body> {
+    template <class In>
+    static void apply(const In& in, ParseState& state) {
+        state.close_barrier();
+        state.push_function(cover(state.functions().place(), in.input().previous().where));
+        state.add_function();
+    }
+};
+template <>
+struct action<grammar::spline_body> : on_match<&ParseState::set_function_spline> {};
+template <>
 struct action<grammar::parameters_open> : on_function<&FunctionBuilder::begin_parameters> {};
 template <>
 struct action<grammar::parameter> : on_function_first<&FunctionBuilder::add_parameter> {};

@@ -229,6 +229,11 @@ void ParseState::add_word(const Produced& word) {
     new_item(Item::Kind::word, word.where).text = std::string(session_.words.spelling(word.word));
 }
 
+void ParseState::add_image_value() {
+    image_number_ = std::holds_alternative<Terms>(top().value);
+    add_value();
+}
+
 void ParseState::add_function() {
     const Operand operand = pop();
     Item& item = new_item(Item::Kind::thing, operand.where);

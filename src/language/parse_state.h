@@ -103,6 +103,9 @@ public:
     // User functions: see FunctionBuilder; these touch operands too.
     void push_function(SourceRange where);
     void set_function_block();
+    void set_function_spline() { functions_.set_function(std::get<SplinePtr>(pop().value)); }
+    void add_image_value();
+    bool value_is_number() const { return image_number_; }
     void open_function_name(const Produced& token);
     void open_function_value();
     void close_function_name();
@@ -147,6 +150,7 @@ private:
     std::vector<OpenColor> colors_;
     std::shared_ptr<const Block> finished_;
     enum class NameState { parameter, operand, called };
+    bool image_number_ = false;
     std::vector<NameState> names_;  ///< of the user function's identifiers being read
 };
 

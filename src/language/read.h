@@ -10,6 +10,8 @@ namespace rb {
 // at its place. `*_body` functions take what stands between the braces, which map entries have too.
 
 bool is_object_keyword(std::string_view keyword);
+/// Objects, cameras, global_settings, ...: what may stand at scene level before a `{`.
+bool begins_statement(std::string_view keyword);
 ObjectPtr read_object(const Block& block, const ReadContext& context);
 LightPtr read_light(BlockReader& in);
 

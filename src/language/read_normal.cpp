@@ -6,9 +6,8 @@ namespace rb {
 
 namespace {
 
-void read_list(BlockReader& in, const PatternKind& kind, Normal& normal) {
+void read_list(BlockReader& in, size_t size, Normal& normal) {
     if (!in.at_block("normal")) return;
-    const auto size = static_cast<size_t>(kind.list_size);
     BlendMap<NormalPtr> list;
     const NormalPtr base = in.context().default_texture->front().normal;
     while (list.size() < size && in.at_block("normal")) {
@@ -76,7 +75,12 @@ void read_normal_body(BlockReader& in, Normal& normal) {
         normal.pattern = taken.pattern;
         if (taken.kind && taken.kind->list_size > 0) {
             normal.map = std::monostate{};
-            read_list(in, *taken.kind, normal);
+            read_list(in, static_cast<size_t>(taken.kind->list_size), normal);
+        }
+        if (taken.list) {
+            BlockReader list(*taken.list, in.context());
+            read_list(list, 2, normal);
+            list.finish();
         }
     }
     if (in.at_number()) normal.amount = static_cast<float>(in.number());

@@ -180,6 +180,40 @@ PatternPtr skip_pattern(BlockReader& in) {
     return pattern;
 }
 
+/// object { OBJECT [transformations] list }
+void take_object_pattern(BlockReader& outer, TakenPattern& out) {
+    const SourceRange at = outer.where();
+    const Block& block = outer.block("object");
+    const ReadContext& context = outer.context();
+    BlockReader in(block, context);
+    ObjectPtr object;
+    if (in.at_thing<ObjectPtr>()) {
+        object = in.thing<ObjectPtr>();
+    } else if (in.at_any_block() && is_object_keyword(in.peek().block->keyword)) {
+        object = read_object(*in.peek().block, context);
+        in.skip_item();
+    } else {
+        in.fail(fmt::format("Expected 'object', {} found instead", in.found()));
+    }
+    Transform map;
+    while (take_transformation(in, map)) {
+    }
+    auto moved = std::make_shared<Object>(*object);
+    transform_object(*moved, map);
+    GeometryOracle* oracle = context.session->options.oracle;
+    if (oracle) out.pattern = oracle->object_pattern(moved);
+    if (!out.pattern) out.pattern = std::make_shared<UnsupportedPattern>("object", at);
+    auto list = std::make_shared<Block>();
+    list->where = block.where;
+    list->keyword = block.keyword;
+    list->numbers = block.numbers;
+    while (!in.at_end()) {
+        list->items.push_back(in.peek());
+        in.skip_item();
+    }
+    out.list = std::move(list);
+}
+
 }  // namespace
 
 bool at_pattern(const BlockReader& in) {
@@ -220,6 +254,11 @@ TakenPattern take_pattern(BlockReader& in, PatternModifiers& modifiers) {
         out.pattern =
             pigment_pattern(read_pigment(in.block(word), context, context.default_texture->front().pigment),
                             *context.settings);
+        return out;
+    }
+    if (word == "object" && in.at_any_block()) {
+        take_object_pattern(in, out);
+        modifiers.frequency = 0;
         return out;
     }
     out.pattern = skip_pattern(in);

@@ -30,6 +30,7 @@ struct TakenPattern {
     bool average = false;
     PatternPtr pattern;
     const PatternKind* kind = nullptr;
+    std::shared_ptr<const Block> list;  ///< of `object { OBJECT list }`: the list alone
 };
 
 /// Takes a pattern's keyword and what belongs to it, and sets its default wave and frequency.

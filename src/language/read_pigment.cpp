@@ -2,6 +2,9 @@
 #include "language/read_map.h"
 #include "language/read_pattern.h"
 
+#include <array>
+#include <span>
+
 #include <fmt/format.h>
 
 namespace rb {
@@ -38,8 +41,7 @@ float entry_position(BlockReader& in, bool average) {
 }
 
 /// What follows a list pattern: colours or pigments, as the first one decides.
-void read_list(BlockReader& in, const PatternKind& kind, Pigment& pigment) {
-    const auto size = static_cast<size_t>(kind.list_size);
+void read_list(BlockReader& in, size_t size, std::span<const Color> defaults, Pigment& pigment) {
     if (in.at_block("pigment")) {
         BlendMap<PigmentPtr> list;
         const PigmentPtr& base = in.context().default_texture->front().pigment;
@@ -55,8 +57,8 @@ void read_list(BlockReader& in, const PatternKind& kind, Pigment& pigment) {
     ColorMap list;
     while (list.size() < size && in.at_color())
         list.push_back({static_cast<float>(list.size()), in.full_color()});
-    while (list.size() < size && list.size() < kind.default_list.size()) {
-        list.push_back({static_cast<float>(list.size()), kind.default_list[list.size()]});
+    while (list.size() < size && list.size() < defaults.size()) {
+        list.push_back({static_cast<float>(list.size()), defaults[list.size()]});
     }
     pigment.map = std::move(list);
 }
@@ -102,10 +104,15 @@ void read_kind(BlockReader& in, Pigment& pigment) {
     if (taken.pattern) pigment.source = taken.pattern;
     if (taken.kind && taken.kind->list_size > 0) {
         pigment.map = std::monostate{};
-        read_list(in, *taken.kind, pigment);
+        read_list(in, static_cast<size_t>(taken.kind->list_size), taken.kind->default_list, pigment);
     }
-    // The list of `object { ... }` stands inside its braces; a list that follows an unknown pattern is left
-    // out.
+    if (taken.list) {
+        constexpr std::array<Color, 2> blue_green{Color{0, 0, 1, 0, 0}, Color{0, 1, 0, 0, 0}};
+        BlockReader list(*taken.list, in.context());
+        pigment.map = ColorMap{{0.0f, blue_green[0]}, {1.0f, blue_green[1]}};
+        read_list(list, 2, blue_green, pigment);
+        list.finish();
+    }
 }
 
 }  // namespace

@@ -35,6 +35,15 @@ void read_camera_statement(Session& session, const Block& block, const ReadConte
 
 }  // namespace
 
+bool begins_statement(std::string_view keyword) {
+    constexpr std::string_view others[] = {"camera",     "fog",   "rainbow",        "sky_sphere",
+                                           "background", "media", "global_settings"};
+    for (std::string_view other : others) {
+        if (keyword == other) return true;
+    }
+    return is_object_keyword(keyword);
+}
+
 void read_statement(Session& session, const Block& block) {
     const ReadContext context = session.context();
     const std::string_view keyword = block.keyword;

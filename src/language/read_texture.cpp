@@ -76,6 +76,11 @@ void read_patterned(BlockReader& in, TextureLayers& layers) {
         texture.pattern = taken.pattern;
         texture.average = taken.average;
         if (taken.kind && taken.kind->list_size > 0) read_list(in, taken.kind->list_size, texture);
+        if (taken.list) {
+            BlockReader list(*taken.list, in.context());
+            read_list(list, 2, texture);
+            list.finish();
+        }
         while (!in.at_end()) {
             if (in.at_block("texture_map")) {
                 texture.map = *read_texture_map(in.block("texture_map"), in.context(), texture.average);

@@ -22,6 +22,7 @@ ReadContext Session::context() {
     context.read_pigment = [](const Block& block, const ReadContext& c) {
         return read_pigment(block, c, c.default_texture->front().pigment);
     };
+    context.read_texture = [](const Block& block, const ReadContext& c) { return read_texture(block, c); };
     context.read_object = [](const Block& block, const ReadContext& c) { return read_object(block, c); };
     context.find_file = [](const ReadContext& c, const std::string& name) {
         return find_file(*c.session, name, FileType::image);

@@ -28,10 +28,12 @@ SlotPtr Symbols::find(uint32_t word) const {
     return entries_[word].back().place.slot;
 }
 
-Place Symbols::find_local_place(uint32_t word) const {
-    if (word >= entries_.size() || entries_[word].empty()) return {};
-    const Entry& entry = entries_[word].back();
-    return entry.level == tables_.size() - 1 ? entry.place : Place{};
+Place Symbols::find_at(uint32_t word, size_t level) const {
+    if (word >= entries_.size()) return {};
+    for (const Entry& entry : entries_[word]) {
+        if (entry.level == level) return entry.place;
+    }
+    return {};
 }
 
 void Symbols::put(uint32_t word, size_t level, const Place& place) {

@@ -26,8 +26,9 @@ public:
     SlotPtr create(uint32_t word, size_t level);
     SlotPtr create_local(uint32_t word) { return create(word, tables_.size() - 1); }
     SlotPtr create_global(uint32_t word) { return create(word, 0); }
-    Place find_local_place(uint32_t word) const;
-    SlotPtr find_local(uint32_t word) const { return find_local_place(word).slot; }
+    /// The symbol in one table.
+    Place find_at(uint32_t word, size_t level) const;
+    SlotPtr find_local(uint32_t word) const { return find_at(word, tables_.size() - 1).slot; }
     /// Makes `word` another name of `place` in the innermost table.
     void alias(uint32_t word, const Place& place);
     /// Removes the innermost symbol; false if there is none.

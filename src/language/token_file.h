@@ -36,6 +36,9 @@ struct TokenFile {
 };
 using TokenFilePtr = std::shared_ptr<const TokenFile>;
 
+/// #if, #while, #macro, ...: directives that an #end closes.
+bool opens_branches(Keyword word);
+
 struct LexOptions {
     bool runs = true;      ///< keep long lists of plain vectors as one token
     bool is_main = false;  ///< bytes >= 128 at the start are skipped

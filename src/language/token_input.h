@@ -39,8 +39,8 @@ public:
     const Produced& peek() {
         if (at_ == produced_) {
             produce();
-        } else if (at_ + 1 == produced_ && !session_.stream.locked && last().kind == Tok::hash) {
-            // A directive that was met under the lock runs now.
+        } else if (at_ + 1 == produced_ && session_.stream.is_pending(last())) {
+            // A directive or macro that was only looked at runs now.
             session_.stream.give_back(std::move(ring_[--produced_ % kept]));
             produce();
         }
@@ -69,6 +69,21 @@ public:
         session_.stream.open_run(where);
     }
     bool take_defined();
+
+    class Quiet {
+    public:
+        explicit Quiet(Session& session) : session_(session), quiet_(session.stream.quiet) {
+            session.stream.quiet = true;
+        }
+        Quiet(const Quiet&) = delete;
+        Quiet& operator=(const Quiet&) = delete;
+        ~Quiet() { session_.stream.quiet = quiet_; }
+
+    private:
+        Session& session_;
+        bool quiet_;
+    };
+    Quiet be_quiet() { return Quiet(session_); }
 
     /// Inside brackets nothing is locked, and depth is limited.
     class Level {

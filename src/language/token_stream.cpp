@@ -1,6 +1,7 @@
 #include "language/token_stream.h"
 
 #include "language/parser.h"
+#include "language/read.h"
 
 #include <algorithm>
 
@@ -13,10 +14,12 @@ Produced TokenStream::next() {
         if (!pushback_.empty()) {
             Produced token = std::move(pushback_.back());
             pushback_.pop_back();
-            if (token.kind != Tok::hash || locked) return token;
-            const Token word = raw_next();
-            execute(word.kind == Tok::word ? word.aux : 0xffffffff, cover(token.where, range(word)),
-                    token.word);
+            if (!is_pending(token)) return token;
+            if (token.kind == Tok::hash) {
+                run_hash(token);
+            } else {
+                call(std::get<MacroPtr>(token.place.value()), token.where);
+            }
             continue;
         }
         if (frames_.empty()) return {};
@@ -38,8 +41,7 @@ Produced TokenStream::next() {
         if (token.kind == Tok::hash) {
             Produced hash{Tok::hash, index, 0, range(token), {}};
             if (locked) return hash;
-            const Token word = raw_next();
-            execute(word.kind == Tok::word ? word.aux : 0xffffffff, cover(hash.where, range(word)), index);
+            run_hash(hash);
             continue;
         }
         if (before_first_case_) {
@@ -49,6 +51,23 @@ Produced TokenStream::next() {
         Produced out;
         if (resolve(token, out)) return out;
     }
+}
+
+bool TokenStream::is_pending(const Produced& token) const {
+    if (token.kind == Tok::hash) return !locked;
+    return token.kind == Tok::name && !quiet && std::holds_alternative<MacroPtr>(token.place.value());
+}
+
+void TokenStream::run_hash(const Produced& hash) {
+    const Token word = raw_peek();
+    const bool is_word = word.kind == Tok::word && word.begin == hash.where.end;
+    const bool keyword = word.kind == Tok::word && Words::is_keyword(word.aux);
+    if (!keyword && !is_word) {
+        session_.warn(hash.where, "A '#' that begins no directive is ignored.");
+        return;
+    }
+    raw_next();
+    execute(word.aux, cover(hash.where, range(word)), hash.word);
 }
 
 bool TokenStream::resolve(const Token& token, Produced& out) {
@@ -81,6 +100,8 @@ bool TokenStream::resolve(const Token& token, Produced& out) {
             if (error.token == index) session_.fail(out.where, error.message);
         }
     }
+    if (token.kind == Tok::lbrace) ++open_braces_;
+    if (token.kind == Tok::rbrace) --open_braces_;
     out.word = token.aux;
     return true;
 }
@@ -154,10 +175,11 @@ void TokenStream::call(const MacroPtr& macro, SourceRange where) {
             }
             parser.lock(true);
             arguments.push_back(parser.rvalue());
+            // Only a numeric expression keeps the lock on what follows it.
+            parser.lock(std::holds_alternative<Terms>(arguments.back().value));
             parser.take_if(Tok::comma);
-            parser.lock(false);
+            if (parser.peek().kind != Tok::rparen) parser.lock(false);
         }
-        parser.lock(true);
         parser.expect(Tok::rparen, ")");
     }
     if (session_.symbols.depth() >= Symbols::limit) session_.fail(where, "Too many nested symbol tables");
@@ -179,6 +201,7 @@ void TokenStream::call(const MacroPtr& macro, SourceRange where) {
     frame.own_table = true;
     frame.called = where;
     frame.name = macro->name;
+    frame.braces = open_braces_;
     frames_.push_back(std::move(frame));
 }
 
@@ -214,6 +237,19 @@ void TokenStream::raw_expect(Tok kind, std::string_view spelling) {
     raw_next();
 }
 
+bool TokenStream::take_semicolon() {
+    if (!pushback_.empty()) {
+        if (pushback_.back().kind != Tok::semicolon) return false;
+        pushback_.pop_back();
+        return true;
+    }
+    // A macro may end right before the semicolon that belongs to its last declaration.
+    while (frames_.size() > 1 && top().at >= top().end && !has_cond()) close_frame();
+    if (raw_peek().kind != Tok::semicolon) return false;
+    raw_next();
+    return true;
+}
+
 uint32_t TokenStream::raw_name(std::string_view expected) {
     const Token token = raw_peek();
     if (token.kind != Tok::word || Words::is_keyword(token.aux)) {
@@ -241,10 +277,7 @@ std::vector<Diagnostic> TokenStream::trail() const {
     return notes;
 }
 
-void TokenStream::mark() {
-    marked_frames_ = frames_.size();
-    marked_at_ = frames_.empty() ? 0 : top().at;
-}
+void TokenStream::mark() { open_braces_ = 0; }
 
 void TokenStream::recover() {
     pushback_.clear();
@@ -253,26 +286,36 @@ void TokenStream::recover() {
     while (frames_.size() > 1 && top().kind != Frame::Kind::file) {
         conds_.resize(std::min(conds_.size(), top().conds));
         if (top().own_table) session_.symbols.close();
+        if (top().kind == Frame::Kind::macro) open_braces_ = top().braces;
         frames_.pop_back();
     }
     if (frames_.empty()) return;
     Frame& frame = top();
-    const bool same_frame = frames_.size() == marked_frames_;
-    int depth = 0;
-    const auto weigh = [&](const Token& token) {
+    int depth = open_braces_;
+    int level = 0;
+    while (frame.at < frame.end && depth > 0) {
+        const Token& token = frame.tokens->tokens[frame.at++];
         if (token.kind == Tok::lbrace) ++depth;
         if (token.kind == Tok::rbrace) --depth;
-    };
-    if (same_frame && marked_at_ <= frame.at) {
-        for (uint32_t i = marked_at_; i < frame.at; ++i) weigh(frame.tokens->tokens[i]);
+        if (token.kind != Tok::hash) continue;
+        // Conditionals and loops that end in the lost part are over.
+        const Token& word = frame.tokens->tokens[frame.at];
+        const auto keyword = static_cast<Keyword>(word.aux);
+        if (word.kind != Tok::word) continue;
+        if (keyword == Keyword::end && level-- == 0) {
+            level = 0;
+            if (has_cond()) conds_.pop_back();
+        } else if (opens_branches(keyword)) {
+            ++level;
+        }
     }
-    while (frame.at < frame.end && depth > 0) weigh(frame.tokens->tokens[frame.at++]);
     // Then on to something that can begin a statement or a directive.
     while (frame.at < frame.end) {
         const Token& token = frame.tokens->tokens[frame.at];
         if (token.kind == Tok::hash) break;
         const bool block_follows = frame.tokens->tokens[frame.at + 1].kind == Tok::lbrace;
-        if (token.kind == Tok::word && Words::kind(token.aux) == Tok::keyword && block_follows) break;
+        if (token.kind == Tok::word && block_follows && begins_statement(session_.words.spelling(token.aux)))
+            break;
         ++frame.at;
     }
 }

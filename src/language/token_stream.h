@@ -31,6 +31,9 @@ public:
     /// Gives back tokens that were looked at but not used (last one first).
     void give_back(Produced token) { pushback_.push_back(std::move(token)); }
 
+    /// True for a `#` or macro name that was handed on as a token but would run now.
+    bool is_pending(const Produced& token) const;
+
     /// While locked, a `#` is handed on as a token instead of being executed.
     bool locked = false;
     /// While quiet, macro names are handed on as names instead of being called.
@@ -75,11 +78,15 @@ private:
         bool own_table = false;
         SourceRange called;
         std::string name;
+        int braces = 0;  ///< open when the macro was called
     };
 
     Frame& top() { return frames_.back(); }
     const Token& token_at(uint32_t index) { return top().tokens->tokens[index]; }
     void close_frame();
+    void run_hash(const Produced& hash);
+    /// Without looking further, so that no directive runs.
+    bool take_semicolon();
     bool resolve(const Token& token, Produced& out);
     void warn_deprecated(Slot& slot, const Produced& at);
     void call(const MacroPtr& macro, SourceRange where);
@@ -100,7 +107,7 @@ private:
     void execute_message(uint32_t word, SourceRange where);
     void do_include(SourceRange where);
     void do_declare(bool local, SourceRange where);
-    Place declared_place(uint32_t word, bool local, SourceRange where, const Value& value);
+    Place declared_place(uint32_t word, size_t level, bool local, SourceRange where, const Value& value);
     void store(const Place& place, SourceRange where, Value value);
     void do_undef();
     void do_default(SourceRange where);
@@ -138,8 +145,7 @@ private:
     std::vector<Produced> pushback_;
     bool before_first_case_ = false;
     uint64_t produced_ = 0;
-    size_t marked_frames_ = 0;
-    uint32_t marked_at_ = 0;
+    int open_braces_ = 0;  ///< since mark()
 };
 
 }  // namespace rb
