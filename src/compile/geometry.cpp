@@ -41,7 +41,6 @@ public:
         : parts_(parts),
           query_(query),
           inverse_dd_(1.0 / glm::dot(query.ray.direction, query.ray.direction)) {
-        ray_.ray = query.ray;
         ray_.t_min = query.t_min;
         if (query.origin_leaf == no_leaf) return;
         ray_.origin_error = std::max(query.origin_error, coordinate_error * largest(query.ray.origin));
@@ -87,6 +86,12 @@ private:
     template <bool any>
     bool ask(const Element& e, double t_max, Crossing& found) const {
         const bool starts = e.leaf == query_.origin_leaf;
+        if (!has_ray_) {
+            // Not at the start of a query: the caller has hardly stored the ray by then, and the copy would
+            // wait for that.
+            ray_.ray = query_.ray;
+            has_ray_ = true;
+        }
         ray_.t_max = t_max;
         ray_.starts_on_surface = starts;
         ray_.origin_part = starts ? query_.origin_part : any_part;
@@ -115,6 +120,7 @@ private:
     const Geometry::Parts& parts_;
     const RayQuery& query_;
     double inverse_dd_;
+    mutable bool has_ray_ = false;
     mutable ShapeRay ray_;  ///< for shapes in world space; the rest changes from element to element
 };
 
@@ -129,8 +135,13 @@ void fill_hit(const Geometry::Parts& parts, const RayQuery& query, Hit& hit) {
         const Vec3 p = leaf.object_from_world.point(hit.point);
         hit.normal = leaf.object_from_world.transposed_direction(leaf.shape->normal(p, hit.crossing));
     }
-    const double length = glm::length(hit.normal);
-    if (length > 0.0) hit.normal /= leaf.inverted ? -length : length;
+    const double square = glm::dot(hit.normal, hit.normal);
+    if (square == 1.0) {
+        if (leaf.inverted) hit.normal = -hit.normal;
+    } else if (square > 0.0) {
+        const double length = std::sqrt(square);
+        hit.normal /= leaf.inverted ? -length : length;
+    }
     const double magnitude = largest(ray.origin) + hit.t * largest(ray.direction);
     const ElementError& error = parts.errors[hit.leaf];
     hit.error = coordinate_error * (error.scale * magnitude + error.offset);
