@@ -244,7 +244,9 @@ void ParseState::add_function() {
 void ParseState::add_stray(const Produced& token) {
     Item& item = new_item(Item::Kind::bad, token.where);
     item.text = found_text(session_, token);
-    if (token.kind == Tok::undeclared) item.text += session_.hint(session_.words.spelling(token.word));
+    if (token.kind != Tok::undeclared) return;
+    std::string hint = session_.hint(session_.words.spelling(token.word));
+    if (!hint.empty()) item.raw = std::make_shared<const std::string>(std::move(hint));
 }
 
 }  // namespace rb

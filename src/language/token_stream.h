@@ -84,6 +84,7 @@ private:
     Frame& top() { return frames_.back(); }
     const Token& token_at(uint32_t index) { return top().tokens->tokens[index]; }
     void close_frame();
+    void rewind_pushback();
     void run_hash(const Produced& hash);
     /// Without looking further, so that no directive runs.
     bool take_semicolon();
