@@ -243,6 +243,24 @@ void spheres() {
     measure("spheres", world);
 }
 
+/// A hundred thousand small spheres: compile time.
+void many() {
+    BenchScene scene;
+    scene.add_room();
+    const ShapePtr ball = simple("sphere", {{0, 0, 0}, {0.01}});
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-1.8, 1.8);
+    for (int i = 0; i < 100000; ++i) {
+        scene.add(ball, Transform::translation({place(random), place(random), place(random)}));
+    }
+    const std::string before = memory();
+    const double start = seconds();
+    const World world = scene.world();
+    fmt::print("many: 100,000 spheres compiled in {:.2f} s; before: {}; after: {}\n", seconds() - start,
+               before, memory());
+    measure("many", world);
+}
+
 void boxes() {
     BenchScene scene;
     scene.add_room();
@@ -299,6 +317,7 @@ int main(int argc, char** argv) {
     const auto wanted = [&](const char* name) { return argc < 2 || std::strcmp(argv[1], name) == 0; };
     if (wanted("bumpy")) bumpy();
     if (wanted("spheres")) spheres();
+    if (wanted("many")) many();
     if (wanted("boxes")) boxes();
     if (wanted("csg")) csg();
     if (wanted("few")) few();

@@ -47,6 +47,16 @@ bool keeps_bounds(const Object& object) {
            keyword == "polynomial" || keyword == "text";
 }
 
+/// The leaf's surface in the world, cut down to where its hits can count.
+Bounds cut_box(const SolidForest& solids, const Leaf& leaf) {
+    Bounds box = leaf.shape->bounds();
+    if (!leaf.in_world_space) {
+        const auto forward = inverse_of(leaf.object_from_world);
+        box = forward ? transformed(box, *forward) : Bounds::everything();
+    }
+    return solids.cut(leaf.solid, box);
+}
+
 /// The texture that cutaway_textures shows on a cut: the first one found among the looked-at children.
 std::optional<WornTexture> cutaway_texture(const Object& object, const Transform& world_from_object) {
     if (object.texture) {
@@ -148,7 +158,7 @@ void Flattener::add_solid(const Object& object, const Inherited& from) {
     const uint32_t slot = own_slot ? static_cast<uint32_t>(draft_->slots.size()) : from.slot;
     const uint32_t node = build(object, from, false, no_node);
     if (node == no_node) return;
-    set_regions(node);
+    flat_.solids.set_regions(node);
     flat_.tops.push_back({node, slot});
     draft_->tops.push_back(std::move(draft_->leaves));
     draft_->leaves.clear();
@@ -352,62 +362,6 @@ uint32_t Flattener::interior_index(const Inherited& own, bool opaque) {
     return slot.index;
 }
 
-void Flattener::set_regions(uint32_t index) {
-    auto& nodes = flat_.solids.nodes;
-    SolidNode& node = nodes[index];
-    Bounds region;
-    if (node.kind == SolidNode::Kind::shape) {
-        const PlacedShape& placed = flat_.solids.shapes[node.placed];
-        if (placed.shape->is_patch()) {
-            // stays empty
-        } else if (node.inverted) {
-            region = Bounds::everything();
-        } else {
-            region = placed.shape->solid_bounds();
-            if (!placed.in_world_space) {
-                const auto forward = inverse_of(placed.object_from_world);
-                region = forward ? transformed(region, *forward) : Bounds::everything();
-            }
-        }
-    } else {
-        if (node.kind == SolidNode::Kind::intersection) region = Bounds::everything();
-        for (const uint32_t child : node.children) {
-            set_regions(child);
-            if (node.kind == SolidNode::Kind::intersection) {
-                region = intersection(region, nodes[child].region);
-            } else if (!nodes[child].region.is_empty()) {
-                region.include(nodes[child].region);
-            }
-        }
-    }
-    for (const uint32_t clip : node.clips) {
-        set_regions(clip);
-        region = intersection(region, nodes[clip].region);
-    }
-    for (const uint32_t bound : node.bounds) set_regions(bound);
-    node.region = region;
-}
-
-Bounds Flattener::cut_box(const Leaf& leaf) const {
-    const auto& nodes = flat_.solids.nodes;
-    Bounds box = leaf.shape->bounds();
-    if (!leaf.in_world_space) {
-        const auto forward = inverse_of(leaf.object_from_world);
-        box = forward ? transformed(box, *forward) : Bounds::everything();
-    }
-    for (uint32_t from = no_node, at = leaf.solid; at != no_node; from = at, at = nodes[at].parent) {
-        const SolidNode& node = nodes[at];
-        if (!node.tests_hits) break;
-        if (node.kind == SolidNode::Kind::intersection) {
-            for (const uint32_t child : node.children) {
-                if (child != from) box = intersection(box, nodes[child].region);
-            }
-        }
-        for (const uint32_t clip : node.clips) box = intersection(box, nodes[clip].region);
-    }
-    return box;
-}
-
 FlatGeometry Flattener::finish() {
     // A plane wins against a coincident finite object once there are at least three objects.
     std::vector<size_t> order;
@@ -415,7 +369,7 @@ FlatGeometry Flattener::finish() {
     std::vector<bool> infinite(draft_->tops.size());
     for (size_t i = 0; i < draft_->tops.size(); ++i) {
         for (const Leaf& leaf : draft_->tops[i]) {
-            boxes[i].push_back(cut_box(leaf));
+            boxes[i].push_back(cut_box(flat_.solids, leaf));
             if (!boxes[i].back().is_empty() && !boxes[i].back().is_finite()) infinite[i] = true;
         }
         order.push_back(i);

@@ -48,8 +48,6 @@ private:
     Inherited inherit(const Object& object, const Inherited& from);
     Surface surface_of(const Object& object, const Inherited& own);
     uint32_t interior_index(const Inherited& own, bool opaque);
-    void set_regions(uint32_t node);
-    Bounds cut_box(const Leaf& leaf) const;
 
     World& world_;
     TexturePtr default_texture_;

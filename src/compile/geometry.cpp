@@ -50,9 +50,45 @@ public:
 
     double t_min() const { return t_min_; }
 
+    /// True if the ray misses the element's ball for sure, within t_min and t_max.
+    bool passes_by(uint32_t element, double t_max) const {
+        const Ball& ball = parts_.balls[element];
+        const double radius = static_cast<double>(ball.radius);
+        const Vec3 from = query_.ray.origin - Vec3(ball.center);
+        const double middle = -glm::dot(from, query_.ray.direction) * inverse_dd_;
+        const Vec3 foot = from + middle * query_.ray.direction;
+        const double reach = radius * inverse_d_;
+        constexpr double rounding = 1e-13;
+        const double slack = rounding * std::abs(middle);
+        return glm::dot(foot, foot) > radius * radius + rounding * glm::dot(from, from) ||
+               middle - reach - slack > t_max || middle + reach + slack < t_min_;
+    }
+
+    /// The same for a listed element.
+    bool listed_passes_by(uint32_t element, double t_max) const {
+        const PlaneTest& plane = parts_.planes[element];
+        if (plane.normal == Vec3{0.0}) return passes_by(element, t_max);
+        const double height = plane.distance - glm::dot(plane.normal, query_.ray.origin);
+        const double slope = glm::dot(plane.normal, query_.ray.direction);
+        constexpr double rounding = 1.0 - 1e-13;
+        return (height < 0.0) != (slope < 0.0) || std::abs(height) * rounding > std::abs(slope) * t_max;
+    }
+
     template <bool any>
-    bool test(const Element& e, double t_max, Crossing& found) const {
-        if ((e.mask & query_.mask) == 0 || passes_by(e, t_max)) return false;
+    bool test_listed(uint32_t element, double t_max, Crossing& found) const {
+        return !listed_passes_by(element, t_max) && test_passed<any>(element, t_max, found);
+    }
+
+    template <bool any>
+    bool test(uint32_t element, double t_max, Crossing& found) const {
+        return !passes_by(element, t_max) && test_passed<any>(element, t_max, found);
+    }
+
+private:
+    template <bool any>
+    bool test_passed(uint32_t element, double t_max, Crossing& found) const {
+        const Element& e = parts_.elements[element];
+        if ((e.mask & query_.mask) == 0) return false;
         ShapeRay ray{query_.ray, t_min_, t_max, origin_error_ * e.object_stretch};
         if (e.leaf == query_.origin_leaf) {
             ray.starts_on_surface = true;
@@ -67,19 +103,6 @@ public:
             return any ? e.shape->any(ray, nullptr, found) : e.shape->closest(ray, nullptr, found);
         const SolidFilter filter(parts_.flat.solids, leaf, query_.ray);
         return any ? e.shape->any(ray, &filter, found) : e.shape->closest(ray, &filter, found);
-    }
-
-private:
-    /// True if the ray misses the element's ball for sure, within t_min and t_max.
-    bool passes_by(const Element& e, double t_max) const {
-        const Vec3 from = query_.ray.origin - e.center;
-        const double middle = -glm::dot(from, query_.ray.direction) * inverse_dd_;
-        const Vec3 foot = from + middle * query_.ray.direction;
-        const double reach = e.radius * inverse_d_;
-        constexpr double rounding = 1e-13;
-        const double slack = rounding * std::abs(middle);
-        return glm::dot(foot, foot) > e.radius * e.radius + rounding * glm::dot(from, from) ||
-               middle - reach - slack > t_max || middle + reach + slack < t_min_;
     }
 
     const Geometry::Parts& parts_;
@@ -132,18 +155,21 @@ bool Geometry::closest(const RayQuery& query, Hit& hit) const {
     double t_best = query.t_max;
     hit.leaf = no_leaf;
     Crossing crossing;
-    const auto offer = [&](const Element& e) {
-        if (!search.test<false>(e, t_best, crossing)) return;
-        if (hit.leaf != no_leaf && crossing.t == t_best && e.leaf >= hit.leaf) return;
+    const auto take = [&](uint32_t element) {
+        const uint32_t leaf = p.elements[element].leaf;
+        if (hit.leaf != no_leaf && crossing.t == t_best && leaf >= hit.leaf) return;
         t_best = crossing.t;
-        hit.leaf = e.leaf;
+        hit.leaf = leaf;
         hit.crossing = crossing;
     };
-    for (const Element& e : p.listed) offer(e);
+    for (uint32_t i = 0; i < p.listed; ++i) {
+        if (search.test_listed<false>(i, t_best, crossing)) take(i);
+    }
     Mailbox seen;
     p.tree.walk(query.ray, search.t_min(), t_best, [&](const uint32_t* elements, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
-            if (seen.is_new(elements[i])) offer(p.treed[elements[i]]);
+            const uint32_t element = p.listed + elements[i];
+            if (seen.is_new(element) && search.test<false>(element, t_best, crossing)) take(element);
         }
         return false;
     });
@@ -156,24 +182,23 @@ bool Geometry::occluded(const RayQuery& query, uint32_t& blocker) const {
     const Parts& p = *parts;
     const Search search(p, query);
     Crossing crossing;
-    if (blocker < p.element_of_leaf.size()) {
-        const uint32_t at = p.element_of_leaf[blocker];
-        const Element& e = at < p.listed.size() ? p.listed[at] : p.treed[at - p.listed.size()];
-        if (search.test<true>(e, query.t_max, crossing)) return true;
-    }
-    for (const Element& e : p.listed) {
-        if (!search.test<true>(e, query.t_max, crossing)) continue;
-        blocker = e.leaf;
+    const auto blocks = [&](uint32_t element) {
+        const bool hit = element < p.listed ? search.test_listed<true>(element, query.t_max, crossing)
+                                            : search.test<true>(element, query.t_max, crossing);
+        if (!hit) return false;
+        blocker = p.elements[element].leaf;
         return true;
+    };
+    if (blocker < p.element_of_leaf.size() && p.element_of_leaf[blocker] != no_leaf) {
+        if (blocks(p.element_of_leaf[blocker])) return true;
+    }
+    for (uint32_t i = 0; i < p.listed; ++i) {
+        if (blocks(i)) return true;
     }
     Mailbox seen;
     return p.tree.walk(query.ray, search.t_min(), query.t_max, [&](const uint32_t* elements, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
-            if (!seen.is_new(elements[i])) continue;
-            const Element& e = p.treed[elements[i]];
-            if (!search.test<true>(e, query.t_max, crossing)) continue;
-            blocker = e.leaf;
-            return true;
+            if (seen.is_new(elements[i]) && blocks(p.listed + elements[i])) return true;
         }
         return false;
     });

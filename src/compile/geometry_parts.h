@@ -13,9 +13,19 @@ struct Element {
     bool in_world_space = false;
     bool tests_hits = false;
     float object_stretch = 1;  ///< bound on how lengths grow from world to object
-    /// Ball around what can be hit, a little enlarged; infinite radius where there is none.
-    Vec3 center{0.0};
-    double radius = std::numeric_limits<double>::infinity();
+};
+
+/// Ball around what can be hit of an element, rounded outward; infinite radius where there is none. Kept
+/// apart from the element, since most tests end here.
+struct Ball {
+    Vec3f center{0.0f};
+    float radius = std::numeric_limits<float>::infinity();
+};
+
+/// What stands for a ball where an element is an infinite plane in world space: normal 0 means none.
+struct PlaneTest {
+    Vec3 normal{0.0};
+    double distance = 0;
 };
 
 /// Bound on a hit's distance to the true surface: coordinate error times (scale * magnitude + offset).
@@ -26,11 +36,13 @@ struct ElementError {
 
 struct Geometry::Parts {
     FlatGeometry flat;
-    std::vector<Element> listed;  ///< infinite ones, or all when they are few: no tree
-    std::vector<Element> treed;   ///< numbered as in `tree`
-    KdTree tree;
-    std::vector<uint32_t> element_of_leaf;  ///< index into listed, then treed
-    std::vector<ElementError> errors;       ///< by leaf
+    std::vector<Element> elements;  ///< listed ones first, then those of the tree
+    std::vector<Ball> balls;        ///< parallel to `elements`
+    std::vector<PlaneTest> planes;  ///< of the listed elements
+    uint32_t listed = 0;            ///< infinite ones, or all when they are few: no tree
+    KdTree tree;                    ///< numbers its elements from `listed` on
+    std::vector<uint32_t> element_of_leaf;
+    std::vector<ElementError> errors;  ///< by leaf
     uint8_t all_masks = 0;
 };
 

@@ -34,7 +34,7 @@ bool fits(const Bounds& box) {
     return box.is_finite() && largest(box.lo) < limit && largest(box.hi) < limit;
 }
 
-Element element_of(const Leaf& leaf, uint32_t index, const Bounds& box, const SolidForest& solids) {
+Element element_of(const Leaf& leaf, uint32_t index, const SolidForest& solids) {
     Element e;
     e.shape = leaf.shape.get();
     e.leaf = index;
@@ -44,16 +44,21 @@ Element element_of(const Leaf& leaf, uint32_t index, const Bounds& box, const So
     e.object_stretch = leaf.in_world_space
                            ? 1.0f
                            : std::nextafter(static_cast<float>(stretch(leaf.object_from_world)), 1e38f);
-    if (fits(box) && !box.is_empty()) {
-        e.center = box.center();
-        const Vec3 half = 0.5 * box.size();
-        const bool is_ball = leaf.in_world_space && leaf.shape->fills_ball();
-        constexpr double rounding = 1.0 + 1e-9;
-        e.radius =
-            rounding * (is_ball ? max_component(0.5 * leaf.shape->bounds().size()) : glm::length(half));
-        if (is_ball) e.center = leaf.shape->bounds().center();
-    }
     return e;
+}
+
+Ball ball_of(const Leaf& leaf, const Bounds& box) {
+    Ball ball;
+    if (!fits(box) || box.is_empty()) return ball;
+    const bool is_ball = leaf.in_world_space && leaf.shape->fills_ball();
+    const Bounds around = is_ball ? leaf.shape->bounds() : box;
+    const Vec3 half = 0.5 * around.size();
+    ball.center = Vec3f(around.center());
+    const double moved = glm::length(around.center() - Vec3(ball.center));
+    constexpr double rounding = 1.0 + 1e-6;
+    ball.radius =
+        static_cast<float>(rounding * ((is_ball ? max_component(half) : glm::length(half)) + moved));
+    return ball;
 }
 
 }  // namespace
@@ -69,27 +74,36 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
     const bool use_tree = !brute_force && finite > few_elements;
 
     std::vector<BoxF> boxes;
+    std::vector<uint32_t> treed;
+    const auto add = [&](uint32_t i) {
+        p.element_of_leaf[i] = static_cast<uint32_t>(p.elements.size());
+        p.elements.push_back(element_of(leaves[i], i, p.flat.solids));
+        p.balls.push_back(brute_force ? Ball{} : ball_of(leaves[i], p.flat.boxes[i]));
+    };
     for (uint32_t i = 0; i < leaves.size(); ++i) {
         p.errors.push_back(error_of(leaves[i]));
         p.all_masks |= leaves[i].mask;
         const Bounds& box = p.flat.boxes[i];
         if (box.is_empty() && !brute_force) continue;
-        const Element e = element_of(leaves[i], i, box, p.flat.solids);
         if (use_tree && fits(box)) {
-            p.treed.push_back(e);
+            treed.push_back(i);
             boxes.push_back(rounded_outward(box));
         } else {
-            p.listed.push_back(e);
+            add(i);
         }
     }
-    for (uint32_t i = 0; i < p.listed.size(); ++i) p.element_of_leaf[p.listed[i].leaf] = i;
-    const auto first = static_cast<uint32_t>(p.listed.size());
-    for (uint32_t i = 0; i < p.treed.size(); ++i) p.element_of_leaf[p.treed[i].leaf] = first + i;
+    p.listed = static_cast<uint32_t>(p.elements.size());
+    for (const Element& e : p.elements) {
+        PlaneTest plane;
+        if (!brute_force && e.in_world_space) e.shape->as_plane(plane.normal, plane.distance);
+        p.planes.push_back(plane);
+    }
     if (use_tree) {
         KdOptions options;
         options.block = 1;
-        options.traversal_cost = 0.8;
+        options.traversal_cost = 1.6;
         p.tree = KdTree(boxes, options);
+        for (const uint32_t old : p.tree.renumber()) add(treed[old]);
     }
     return geometry;
 }

@@ -140,8 +140,11 @@ Bounds ObjectProbe::extent(const ObjectPtr& object) {
 }
 
 bool ObjectProbe::has_inside(const Object& object) {
-    const auto* shape = std::get_if<ShapePtr>(&object.geometry);
-    return !shape || !(*shape)->is_patch();
+    if (const auto* shape = std::get_if<ShapePtr>(&object.geometry)) return !(*shape)->is_patch();
+    const auto* csg = std::get_if<Csg>(&object.geometry);
+    if (!csg) return true;
+    return std::all_of(csg->children->begin(), csg->children->end(),
+                       [](const ObjectPtr& child) { return has_inside(*child); });
 }
 
 }  // namespace rb

@@ -81,4 +81,53 @@ bool SolidForest::crosses(uint32_t index, const Ray& ray) const {
     return false;
 }
 
+void SolidForest::set_regions(uint32_t index) {
+    SolidNode& node = nodes[index];
+    Bounds region;
+    if (node.kind == SolidNode::Kind::shape) {
+        const PlacedShape& placed = shapes[node.placed];
+        if (placed.shape->is_patch()) {
+            // stays empty
+        } else if (node.inverted) {
+            region = Bounds::everything();
+        } else {
+            region = placed.shape->solid_bounds();
+            if (!placed.in_world_space) {
+                const auto forward = inverse_of(placed.object_from_world);
+                region = forward ? transformed(region, *forward) : Bounds::everything();
+            }
+        }
+    } else {
+        if (node.kind == SolidNode::Kind::intersection) region = Bounds::everything();
+        for (const uint32_t child : node.children) {
+            set_regions(child);
+            if (node.kind == SolidNode::Kind::intersection) {
+                region = intersection(region, nodes[child].region);
+            } else if (!nodes[child].region.is_empty()) {
+                region.include(nodes[child].region);
+            }
+        }
+    }
+    for (const uint32_t clip : node.clips) {
+        set_regions(clip);
+        region = intersection(region, nodes[clip].region);
+    }
+    for (const uint32_t bound : node.bounds) set_regions(bound);
+    node.region = region;
+}
+
+Bounds SolidForest::cut(uint32_t leaf, Bounds box) const {
+    for (uint32_t from = no_node, at = leaf; at != no_node; from = at, at = nodes[at].parent) {
+        const SolidNode& node = nodes[at];
+        if (!node.tests_hits) break;
+        if (node.kind == SolidNode::Kind::intersection) {
+            for (const uint32_t child : node.children) {
+                if (child != from) box = intersection(box, nodes[child].region);
+            }
+        }
+        for (const uint32_t clip : node.clips) box = intersection(box, nodes[clip].region);
+    }
+    return box;
+}
+
 }  // namespace rb

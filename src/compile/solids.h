@@ -43,6 +43,11 @@ public:
     /// Does a hit at `p` on the surface of shape node `leaf` count, seen along `ray`?
     bool counts(uint32_t leaf, const Vec3& p, const Ray& ray) const;
 
+    /// Computes `region` of the node and all below, its clips and bounds.
+    void set_regions(uint32_t node);
+    /// `box` of the surface of shape node `leaf`, cut down to the regions in which its hits can count.
+    Bounds cut(uint32_t leaf, Bounds box) const;
+
 private:
     bool in_all(const std::vector<uint32_t>& list, const Vec3& p) const;
     bool met_by(uint32_t node, const Vec3& p, const Ray& ray) const;

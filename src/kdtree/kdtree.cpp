@@ -35,6 +35,22 @@ bool KdTree::clip_ray(const Ray& ray, const Vec3& inverse, double& near, double&
     return true;
 }
 
+std::vector<uint32_t> KdTree::renumber() {
+    uint32_t count = 0;
+    for (const uint32_t element : references_) count = std::max(count, element + 1);
+    constexpr uint32_t unseen = std::numeric_limits<uint32_t>::max();
+    std::vector<uint32_t> new_number(count, unseen);
+    std::vector<uint32_t> old_number;
+    for (uint32_t& element : references_) {
+        if (new_number[element] == unseen) {
+            new_number[element] = static_cast<uint32_t>(old_number.size());
+            old_number.push_back(element);
+        }
+        element = new_number[element];
+    }
+    return old_number;
+}
+
 std::pair<const uint32_t*, uint32_t> KdTree::cell_of(const Vec3& p) const {
     if (nodes_.empty() || !bounds_.contains(p)) return {nullptr, 0};
     uint32_t at = 0;

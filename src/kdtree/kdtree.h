@@ -44,6 +44,10 @@ public:
     KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip = {});
     KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip = {});
 
+    /// Renumbers the elements in the order in which the cells hold them, so that neighbours lie together in
+    /// memory; returns the old number of each new one (elements in no cell are gone).
+    std::vector<uint32_t> renumber();
+
     bool is_empty() const { return nodes_.empty(); }
     const Bounds& bounds() const { return bounds_; }
     size_t node_count() const { return nodes_.size(); }
@@ -101,25 +105,29 @@ bool KdTree::walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf
     Waiting stack[64];
     int waiting = 0;
     uint32_t at = 0;
-    // Three roundings of the distance to a plane, at most 1.5 ulp each.
+    // Three roundings of the distance to a plane, at most 1.5 ulp each. Negative distances need no care: they
+    // are before `near`, which never is negative, however they are rounded.
     constexpr double rounding = 8e-16;
+    constexpr double down = 1.0 - rounding;
+    constexpr double up = 1.0 + rounding;
     for (;;) {
         const Node node = nodes_[at];
         if (!node.is_leaf()) {
             const int axis = node.axis();
             const double t = (static_cast<double>(node.plane()) - origin[axis]) * slope[axis];
-            const double e = std::min(std::abs(t) * rounding, std::numeric_limits<double>::max());
+            const double t_low = t * down;
+            const double t_high = t * up;
             const uint32_t low = node.value();
             const uint32_t first = low + high_first[axis];
             const uint32_t second = low + 1 - high_first[axis];
             // A ray inside the plane gives NaN, which falls through to both children.
-            if (t - e > far) {
+            if (t_low > far) {
                 at = first;
-            } else if (t + e < near) {
+            } else if (t_high < near) {
                 at = second;
             } else {
-                stack[waiting++] = {second, t - e > near ? t - e : near, far};
-                if (t + e < far) far = t + e;
+                stack[waiting++] = {second, t_low > near ? t_low : near, far};
+                if (t_high < far) far = t_high;
                 at = first;
             }
             continue;

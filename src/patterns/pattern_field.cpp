@@ -18,7 +18,7 @@ PatternField::PatternField(PatternPtr pattern, const PatternModifiers& modifiers
     warp_count_ = modifiers_.warps.size();
     const TurbulenceWarp* classic = modifiers_.classic_turbulence();
     if (classic) {
-        const bool moves = pattern_ && !pattern_->keeps_turbulence() && classic->amount != Vec3{0.0};
+        const bool moves = !(pattern_ && pattern_->keeps_turbulence()) && classic->amount != Vec3{0.0};
         if (!moves) --warp_count_;
     }
     if (modifiers_.noise_generator != 0) settings_.noise_generator = modifiers_.noise_generator;

@@ -59,8 +59,8 @@ struct Object {
 
     std::optional<WornTexture> texture;
     std::optional<WornTexture> interior_texture;
-    /// For leaves that end up without texture: the default in force at the end of the outermost statement. Null:
-    /// the scene's.
+    /// For leaves that end up without texture: the default in force at the end of the outermost statement.
+    /// Null: the scene's.
     TexturePtr fallback_texture;
     InteriorPtr interior;
     std::vector<ObjectPtr> bounded_by;

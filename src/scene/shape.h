@@ -148,6 +148,10 @@ public:
     /// True for a sphere: the ball in the middle of its box holds it.
     virtual bool fills_ball() const { return false; }
 
+    /// True for a plane; gives its unit normal and distance, so that rays that leave it behind are dropped
+    /// early.
+    virtual bool as_plane(Vec3& /*normal*/, double& /*distance*/) const { return false; }
+
     /// True if the surface consists of triangles already, so that tessellating it changes nothing.
     virtual bool is_faceted() const { return false; }
 

@@ -2,6 +2,8 @@
 
 #include "shade/random.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rb {
@@ -24,9 +26,22 @@ std::span<uint16_t> shuffled(int count, uint64_t seed, Scratch::Scope& memory) {
 
 AreaSampler::AreaSampler(const LightProgram& light, size_t light_index, uint64_t ray_seed,
                          const Vec3& to_center, uint64_t salt, Scratch::Scope& memory)
-    : light_(light), to_center_(to_center) {
+    : axis1_(light.light().area.axis1), axis2_(light.light().area.axis2) {
     const AreaGrid& grid = light.light().area;
+    circular_ = grid.circular;
+    if (grid.orient) {
+        const double size = glm::length(axis1_);
+        const bool along_z = std::abs(std::abs(to_center.z) - 1.0) < 0.01;
+        const Vec3 across = along_z ? Vec3{0.0, 1.0, 0.0} : Vec3{0.0, 0.0, 1.0};
+        axis1_ = glm::normalize(glm::cross(to_center, across));
+        axis2_ = glm::normalize(glm::cross(to_center, axis1_)) * size;
+        axis1_ *= size;
+    }
+    width_ = static_cast<size_t>(grid.size1);
+    if (grid.size1 > 1) step1_ = 1.0 / (grid.size1 - 1);
+    if (grid.size2 > 1) step2_ = 1.0 / (grid.size2 - 1);
     if (!grid.jitter) return;
+    jitter_ = true;
     seed_ = mixed(ray_seed, 16 * light_index + salt);
     row_order_ = shuffled(grid.size2, seed_, memory);
     column_order_ = shuffled(grid.size1, ~seed_, memory);
@@ -35,17 +50,26 @@ AreaSampler::AreaSampler(const LightProgram& light, size_t light_index, uint64_t
 Vec3 AreaSampler::offset(int u, int v) const {
     double x = u;
     double y = v;
-    const AreaGrid& grid = light_.light().area;
-    if (grid.jitter) {
+    if (jitter_) {
         const auto column = static_cast<size_t>(u);
         const auto row = static_cast<size_t>(v);
-        const uint64_t draw = mixed(seed_, row * column_order_.size() + column);
+        const uint64_t draw = mixed(seed_, row * width_ + column);
         const double fine_x = static_cast<double>(draw & 0xFFFFFFFFu) * 0x1p-32;
         const double fine_y = static_cast<double>(draw >> 32) * 0x1p-32;
-        x += (row_order_[row] + fine_x) / grid.size2 - 0.5;
-        y += (column_order_[column] + fine_y) / grid.size1 - 0.5;
+        x += (row_order_[row] + fine_x) / static_cast<double>(row_order_.size()) - 0.5;
+        y += (column_order_[column] + fine_y) / static_cast<double>(column_order_.size()) - 0.5;
     }
-    return light_.area_offset(x, y, to_center_);
+    if (!circular_) {
+        // An axis with a single sample does not take part.
+        const double a = step1_ != 0.0 ? x * step1_ - 0.5 : 0.0;
+        const double b = step2_ != 0.0 ? y * step2_ - 0.5 : 0.0;
+        return axis1_ * a + axis2_ * b;
+    }
+    // Square shells become circles; the small shift keeps the centre away from 0/0.
+    const double a = x * step1_ - 0.5 + 0.001;
+    const double b = y * step2_ - 0.5 + 0.001;
+    const double k = std::max(std::abs(a), std::abs(b)) / std::sqrt(a * a + b * b);
+    return axis1_ * (a * k) + axis2_ * (b * k);
 }
 
 }  // namespace rb

@@ -16,8 +16,13 @@ public:
     Vec3 offset(int u, int v) const;
 
 private:
-    const LightProgram& light_;
-    Vec3 to_center_;
+    Vec3 axis1_;
+    Vec3 axis2_;
+    double step1_ = 0;  ///< between grid positions, in axis lengths; 0 with a single one
+    double step2_ = 0;
+    size_t width_ = 1;
+    bool circular_ = false;
+    bool jitter_ = false;
     uint64_t seed_ = 0;
     std::span<uint16_t> row_order_;     ///< stratum along axis 1 that each row of the grid uses
     std::span<uint16_t> column_order_;  ///< stratum along axis 2 that each column uses

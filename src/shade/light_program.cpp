@@ -26,6 +26,7 @@ LightProgram::LightProgram(const Light& light) : light_(light) {
     cos_radius_ = std::cos(light.radius * (pi / 180.0));
     cos_falloff_ = std::cos(light.falloff * (pi / 180.0));
     fades_ = light.fade_power > 0.0 && std::abs(light.fade_distance) > 1e-10;
+    directed_ = light.parallel || light.kind == LightKind::cylinder;
     AreaGrid& grid = light_.area;
     grid.size1 = std::max(grid.size1, 1);
     grid.size2 = std::max(grid.size2, 1);
@@ -38,15 +39,13 @@ uint32_t LightProgram::sample_count() const {
     return static_cast<uint32_t>(light_.area.size1) * static_cast<uint32_t>(light_.area.size2);
 }
 
-LightVector LightProgram::toward(const Vec3& p, const Vec3& offset) const {
+LightVector LightProgram::along_axis(const Vec3& p, const Vec3& offset) const {
     const Vec3 way = light_.location + offset - p;
-    if (light_.kind == LightKind::cylinder || (light_.parallel && light_.is_area)) {
+    if (light_.kind == LightKind::cylinder || light_.is_area) {
         const Vec3 l = unit(light_.location + offset - light_.point_at);
         return {l, glm::dot(way, l)};
     }
-    if (light_.parallel) return {-direction_, glm::dot(way, -direction_)};
-    const double distance = glm::length(way);
-    return {distance > 0.0 ? way / distance : way, distance};
+    return {-direction_, glm::dot(way, -direction_)};
 }
 
 double LightProgram::spot_cone(const LightVector& way) const {
@@ -80,33 +79,6 @@ double LightProgram::attenuation(const Vec3& p, const LightVector& way) const {
         factor *= 2.0 / (1.0 + std::pow(way.distance / light_.fade_distance, light_.fade_power));
     }
     return factor;
-}
-
-Vec3 LightProgram::area_offset(double u, double v, const Vec3& from_center) const {
-    const AreaGrid& grid = light_.area;
-    Vec3 axis1 = grid.axis1;
-    Vec3 axis2 = grid.axis2;
-    if (grid.orient) {
-        const double size = glm::length(axis1);
-        const bool along_z = std::abs(std::abs(from_center.z) - 1.0) < 0.01;
-        const Vec3 helper = along_z ? Vec3{0.0, 1.0, 0.0} : Vec3{0.0, 0.0, 1.0};
-        axis1 = unit(glm::cross(from_center, helper));
-        axis2 = unit(glm::cross(from_center, axis1)) * size;
-        axis1 *= size;
-    }
-    const double width = grid.size1 - 1;
-    const double height = grid.size2 - 1;
-    if (!grid.circular) {
-        Vec3 offset{0.0};
-        if (grid.size1 > 1) offset += axis1 * (u / width - 0.5);
-        if (grid.size2 > 1) offset += axis2 * (v / height - 0.5);
-        return offset;
-    }
-    // Square shells become circles; the small shift keeps the centre away from 0/0.
-    const double a = u / width - 0.5 + 0.001;
-    const double b = v / height - 0.5 + 0.001;
-    const double k = std::max(std::abs(a), std::abs(b)) / std::sqrt(a * a + b * b);
-    return axis1 * (a * k) + axis2 * (b * k);
 }
 
 }  // namespace rb

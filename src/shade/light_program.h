@@ -22,15 +22,17 @@ public:
     uint32_t sample_count() const;
 
     /// From `p` to the centre, moved by `offset` on the light's area.
-    LightVector toward(const Vec3& p, const Vec3& offset) const;
+    LightVector toward(const Vec3& p, const Vec3& offset) const {
+        if (directed_) return along_axis(p, offset);
+        const Vec3 way = light_.location + offset - p;
+        const double distance = glm::length(way);
+        return {distance > 0.0 ? way * (1.0 / distance) : way, distance};
+    }
     /// Cone and fading with distance; 0 outside the cone.
     double attenuation(const Vec3& p, const LightVector& way) const;
 
-    /// Offset of grid position (u, v), which need not be whole, as seen from the direction `from_center` to
-    /// the centre.
-    Vec3 area_offset(double u, double v, const Vec3& from_center) const;
-
 private:
+    LightVector along_axis(const Vec3& p, const Vec3& offset) const;
     double spot_cone(const LightVector& way) const;
     double cylinder_cone(const Vec3& p) const;
 
@@ -39,6 +41,7 @@ private:
     double cos_radius_ = 0;
     double cos_falloff_ = 0;
     bool fades_ = false;
+    bool directed_ = false;  ///< parallel or cylinder: the direction is the light's own
 };
 
 }  // namespace rb

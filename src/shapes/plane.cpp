@@ -57,6 +57,12 @@ public:
         return std::make_shared<Plane>(normal, glm::dot(normal, map.point(distance_ * normal_)));
     }
 
+    bool as_plane(Vec3& normal, double& distance) const override {
+        normal = normal_;
+        distance = distance_;
+        return true;
+    }
+
     ShapePtr inverted() const override { return std::make_shared<Plane>(-normal_, -distance_); }
 
     std::optional<TriangleMesh> tessellate(double) const override { return std::nullopt; }

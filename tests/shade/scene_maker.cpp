@@ -2,6 +2,8 @@
 
 #include "../geometry/statement.h"
 
+#include <gtest/gtest.h>
+
 namespace rb {
 
 SceneMaker::SceneMaker() {
@@ -56,6 +58,16 @@ Finish dark_finish(const std::function<void(Finish&)>& change) {
     finish.diffuse = 0;
     if (change) change(finish);
     return finish;
+}
+
+Finish diffuse_only(float diffuse) {
+    return dark_finish([=](Finish& f) { f.diffuse = diffuse; });
+}
+
+void expect_rgb(const Radiance& seen, double r, double g, double b, double tolerance) {
+    EXPECT_NEAR(seen.rgb.x, r, tolerance);
+    EXPECT_NEAR(seen.rgb.y, g, tolerance);
+    EXPECT_NEAR(seen.rgb.z, b, tolerance);
 }
 
 Texture plain(const Color& color, const Finish& finish) {

@@ -27,8 +27,14 @@ private:
     std::vector<std::shared_ptr<Object>> objects_;
 };
 
+void expect_rgb(const Radiance& seen, double r, double g, double b, double tolerance = 7e-5);
+inline void expect_grey(const Radiance& seen, double v, double tolerance = 7e-5) {
+    expect_rgb(seen, v, v, v, tolerance);
+}
+
 /// A finish without ambient and diffuse, changed by `change`.
 Finish dark_finish(const std::function<void(Finish&)>& change = {});
+Finish diffuse_only(float diffuse = 1.0f);
 Texture plain(const Color& color, const Finish& finish);
 inline Color rgb(float r, float g, float b) { return {r, g, b, 0, 0}; }
 inline Color grey_color(float v) { return {v, v, v, 0, 0}; }
