@@ -39,12 +39,11 @@ void RayStream::start(std::span<const CameraRay> rays) {
             origin = rays[i].ray.origin;
             inside = state_.interiors.add(program_.geometry.interiors_at(origin));
         }
-        PathRay ray;
+        PathRay& ray = state_.rays.emplace_back();
         ray.ray = rays[i].ray;
         ray.slot = static_cast<uint32_t>(i);
         ray.seed = rays[i].seed;
         ray.inside = inside;
-        state_.rays.push_back(ray);
         ++state_.counters.camera;
     }
 }
@@ -94,9 +93,9 @@ void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     point.weight = ray.weight;
     point.alpha = ray.alpha;
     pass_fog(ray, hit.t, point.weight, point.alpha);
-    const Leaf& leaf = program_.geometry.leaf(hit.leaf);
-    if (leaf.first_texture_surface == no_surface) {
-        dress_hit(state_.hits.size() - 1, program_.surfaces[leaf.surface], from_inside, hit);
+    const uint32_t surface = program_.leaf_surfaces[hit.leaf];
+    if (surface != no_surface) {
+        dress_hit(state_.hits.size() - 1, program_.surfaces[surface], from_inside, hit);
     } else {
         split_hit(from_inside, hit);
     }
@@ -123,7 +122,7 @@ void RayStream::dress_hit(size_t index, const SurfaceProgram& surface, bool from
     point.interior = surface.interior;
     point.uv_mapping = surface.uv_mapping;
     point.double_illuminate = surface.double_illuminate;
-    if (!surface.uv_mapping && !program_.textures[program_.looks[point.look].texture].needs_surface) return;
+    if (!surface.needs_uv) return;
     if (state_.uv.size() <= index) state_.uv.resize(index + 1);
     state_.uv[index] = program_.geometry.uv(hit);
 }
@@ -160,6 +159,7 @@ void RayStream::shade_sky(std::span<const uint32_t> misses) {
 }
 
 void RayStream::fill_samples() {
+    if (!program_.needs_samples) return;
     const size_t count = state_.hits.size();
     state_.points.resize(count);
     state_.seen_normals.resize(count);
