@@ -188,25 +188,33 @@ Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector
     return grid_cell(grid, 0, 0, area.size1 - 1, area.size2 - 1, 0);
 }
 
-const Rgb& ShadowTracer::grid_point(Grid& grid, int u, int v) {
+/// What arrives from the four corners of a cell. Their directions are worked out together, so that roots and
+/// divisions overlap.
+std::array<Rgb, 4> ShadowTracer::grid_corners(Grid& grid, int u1, int v1, int u2, int v2) {
     const LightProgram& light = program_.lights[grid.light];
-    const auto index =
-        static_cast<size_t>(v) * static_cast<size_t>(light.light().area.size1) + static_cast<size_t>(u);
-    if (!grid.known[index]) {
-        grid.known[index] = 1;
-        const Vec3 offset = grid.sampler.offset(u, v);
-        uint32_t& blocker = state_.blockers[program_.first_sample[grid.light] + index];
-        grid.arrived[index] =
-            along(light.light(), grid.hit, light.toward(grid.hit.point, offset), grid.color, blocker);
+    const auto width = static_cast<size_t>(light.light().area.size1);
+    const std::array<int, 4> u{u1, u2, u1, u2};
+    const std::array<int, 4> v{v1, v1, v2, v2};
+    std::array<size_t, 4> index;
+    std::array<LightVector, 4> way;
+    for (size_t k = 0; k < 4; ++k) {
+        index[k] = static_cast<size_t>(v[k]) * width + static_cast<size_t>(u[k]);
+        if (!grid.known[index[k]]) way[k] = light.toward(grid.hit.point, grid.sampler.offset(u[k], v[k]));
     }
-    return grid.arrived[index];
+    std::array<Rgb, 4> arrived;
+    for (size_t k = 0; k < 4; ++k) {
+        if (!grid.known[index[k]]) {
+            grid.known[index[k]] = 1;
+            uint32_t& blocker = state_.blockers[program_.first_sample[grid.light] + index[k]];
+            grid.arrived[index[k]] = along(light.light(), grid.hit, way[k], grid.color, blocker);
+        }
+        arrived[k] = grid.arrived[index[k]];
+    }
+    return arrived;
 }
 
 Rgb ShadowTracer::grid_cell(Grid& grid, int u1, int v1, int u2, int v2, int level) {
-    Rgb s0 = grid_point(grid, u1, v1);
-    Rgb s1 = grid_point(grid, u2, v1);
-    Rgb s2 = grid_point(grid, u1, v2);
-    Rgb s3 = grid_point(grid, u2, v2);
+    auto [s0, s1, s2, s3] = grid_corners(grid, u1, v1, u2, v2);
     if (u2 - u1 > 1 || v2 - v1 > 1) {
         constexpr float threshold = 0.1f;
         const bool differ = difference(s0, s1) > threshold || difference(s1, s3) > threshold ||
