@@ -29,16 +29,19 @@ public:
     unsigned meets(const float planes[3][2][4], float near, float far, float near_of[4]) const {
         __m128 enter = _mm_set1_ps(near);
         __m128 leave = _mm_set1_ps(std::numeric_limits<float>::max());
-        for (int axis = 0; axis < 3; ++axis) {
-            const __m128 inverse = _mm_set1_ps(inverse_[axis]);
-            const __m128 first = _mm_load_ps(planes[axis][high_first_[axis]]);
-            const __m128 last = _mm_load_ps(planes[axis][1 - high_first_[axis]]);
-            const __m128 a = _mm_mul_ps(_mm_sub_ps(first, _mm_set1_ps(enter_from_[axis])), inverse);
-            const __m128 b = _mm_mul_ps(_mm_sub_ps(last, _mm_set1_ps(leave_from_[axis])), inverse);
+        const auto cut = [&](size_t axis) {
+            const float* axis_planes = planes[axis][0];
+            const __m128 first = _mm_load_ps(axis_planes + high_first_[axis]);
+            const __m128 last = _mm_load_ps(axis_planes + low_first_[axis]);
+            const __m128 a = _mm_mul_ps(_mm_sub_ps(first, enter_from_[axis]), inverse_[axis]);
+            const __m128 b = _mm_mul_ps(_mm_sub_ps(last, leave_from_[axis]), inverse_[axis]);
             // NaN (0 times infinity) leaves the second operand.
             enter = _mm_max_ps(a, enter);
             leave = _mm_min_ps(b, leave);
-        }
+        };
+        cut(0);
+        cut(1);
+        cut(2);
         leave = _mm_mul_ps(leave, _mm_set1_ps(1.0f + static_cast<float>(margin)));
         _mm_store_ps(near_of, enter);
         leave = _mm_min_ps(leave, _mm_set1_ps(far));
@@ -50,10 +53,11 @@ private:
     static constexpr double margin = 0x1p-20;
     static constexpr double most = std::numeric_limits<float>::max();
 
-    float enter_from_[3];
-    float leave_from_[3];
-    float inverse_[3];
-    uint32_t high_first_[3];
+    __m128 enter_from_[3];
+    __m128 leave_from_[3];
+    __m128 inverse_[3];
+    uint32_t high_first_[3];  ///< 4 where the ray enters through the high plane, else 0
+    uint32_t low_first_[3];   ///< the other way round
     double speed_;
 };
 
@@ -107,11 +111,12 @@ inline BoxRay::BoxRay(const Ray& ray, const Vec3& center, float reach) {
         const float error = std::abs(from) * 0x1p-22f + slack;
         const auto slope = static_cast<float>(d[axis] * unit);
         const bool down = std::signbit(slope);
-        enter_from_[axis] = down ? from - error : from + error;
-        leave_from_[axis] = down ? from + error : from - error;
         constexpr float inf = std::numeric_limits<float>::infinity();
-        inverse_[axis] = std::abs(slope) > tiny ? 1.0f / slope : std::copysign(inf, slope);
-        high_first_[axis] = down ? 1u : 0u;
+        enter_from_[axis] = _mm_set1_ps(down ? from - error : from + error);
+        leave_from_[axis] = _mm_set1_ps(down ? from + error : from - error);
+        inverse_[axis] = _mm_set1_ps(std::abs(slope) > tiny ? 1.0f / slope : std::copysign(inf, slope));
+        high_first_[axis] = down ? 4u : 0u;
+        low_first_[axis] = 4u - high_first_[axis];
     }
 }
 
