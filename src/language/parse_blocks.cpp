@@ -163,8 +163,7 @@ void ParseState::add_numbers(const Operand& operand) {
 
 void ParseState::add_value() {
     const Operand operand = pop();
-    if (const auto* terms = std::get_if<Terms>(&operand.value)) {
-        (void)terms;
+    if (std::holds_alternative<Terms>(operand.value)) {
         add_numbers(operand);
         if (blocks_.back().same_shape > 0 && blocks_.back().same_shape < 8) {
             open().items.back().text = found_value(session_, operand.where);

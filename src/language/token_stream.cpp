@@ -40,6 +40,7 @@ Produced TokenStream::next() {
         }
         if (token.kind == Tok::hash) {
             Produced hash{Tok::hash, index, 0, range(token), {}};
+            hash.waiting = locked;
             if (locked) return hash;
             run_hash(hash);
             continue;
@@ -54,6 +55,7 @@ Produced TokenStream::next() {
 }
 
 bool TokenStream::is_pending(const Produced& token) const {
+    if (!token.waiting) return false;
     if (token.kind == Tok::hash) return !locked;
     return token.kind == Tok::name && !quiet && std::holds_alternative<MacroPtr>(token.place.value());
 }
@@ -91,6 +93,7 @@ bool TokenStream::resolve(const Token& token, Produced& out) {
             call(*macro, out.where);
             return false;
         }
+        out.waiting = quiet && std::holds_alternative<MacroPtr>(out.place.value());
         return true;
     }
     if (token.kind == Tok::invalid) {
