@@ -9,6 +9,15 @@
 
 namespace rb {
 
+namespace {
+
+constexpr uint32_t table_shift =
+    17;  ///< 64 entries per power of two, linear between them: 4e-5 off at the most
+constexpr float table_least = 0x1p-20f;
+constexpr float table_greatest = 0x1p10f;
+
+}  // namespace
+
 SampleDistance::SampleDistance(const std::optional<GammaCurve>& assumed_gamma, double antialias_gamma) {
     double working = 1.0;
     if (assumed_gamma) {
@@ -17,6 +26,11 @@ SampleDistance::SampleDistance(const std::optional<GammaCurve>& assumed_gamma, d
     }
     exponent_ = working / antialias_gamma;
     raw_ = !is_srgb_ && std::abs(exponent_ - 1.0) <= 0.01;
+    if (raw_) return;
+    for (uint32_t bits = std::bit_cast<uint32_t>(table_least);; bits += 1u << table_shift) {
+        table_.push_back(static_cast<float>(encoded(std::bit_cast<float>(bits))));
+        if (std::bit_cast<float>(bits) >= table_greatest) break;
+    }
 }
 
 double SampleDistance::encoded(float v) const {
@@ -34,19 +48,32 @@ double SampleDistance::operator()(const Radiance& a, const Radiance& b) const {
     return sum;
 }
 
+float SampleDistance::roughly_encoded(float v) const {
+    if (!(v >= table_least && v < table_greatest)) return v == 0.0f ? 0.0f : -1.0f;
+    const uint32_t bits = std::bit_cast<uint32_t>(v);
+    const uint32_t slot = (bits >> table_shift) - (std::bit_cast<uint32_t>(table_least) >> table_shift);
+    constexpr float step = 1u << table_shift;
+    const float t = static_cast<float>(bits & ((1u << table_shift) - 1)) / step;
+    return table_[slot] + t * (table_[slot + 1] - table_[slot]);
+}
+
 bool SampleDistance::at_least(const Radiance& a, const Radiance& b, double threshold) const {
-    if (raw_ || is_srgb_ || exponent_ >= 1.0) return (*this)(a, b) >= threshold;
-    // For a concave power the chord is bounded by the slope at the smaller value: |x^e - y^e| <= |x - y| * e
-    // * m^(e-1), and m^(e-1) <= 1 / min(m, 1). Cheap, and decides nearly all pairs of neighbours.
-    const Rgb apart = glm::abs(a.rgb - b.rgb);
-    const Rgb smaller = glm::min(glm::min(a.rgb, b.rgb), Rgb(1.0f));
-    const float sum = apart.x + apart.y + apart.z;
-    const auto least = static_cast<double>(std::min({smaller.x, smaller.y, smaller.z}));
-    const double transmit = std::abs(static_cast<double>(a.transmit) - static_cast<double>(b.transmit));
-    // A little slack for the rounding of this bound against that of the true distance.
-    constexpr double slack = 1.0 - 1e-5;
-    if (static_cast<double>(sum) * exponent_ < (threshold * slack - transmit) * least) return false;
-    if (sum == 0.0f) return transmit >= threshold;
+    if (raw_) return (*this)(a, b) >= threshold;
+    float sum = std::abs(a.transmit - b.transmit);
+    float size = sum;
+    for (int c = 0; c < 3; ++c) {
+        if (a.rgb[c] == b.rgb[c]) continue;
+        const float x = roughly_encoded(a.rgb[c]);
+        const float y = roughly_encoded(b.rgb[c]);
+        if (x < 0.0f || y < 0.0f) return (*this)(a, b) >= threshold;
+        sum += std::abs(x - y);
+        size += x + y;
+    }
+    constexpr double table_error = 2e-4;
+    const double margin = table_error * static_cast<double>(size);
+    const double rough = static_cast<double>(sum);
+    if (rough + margin < threshold) return false;
+    if (rough - margin > threshold) return true;
     return (*this)(a, b) >= threshold;
 }
 
