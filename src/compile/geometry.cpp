@@ -40,34 +40,19 @@ public:
     Search(const Geometry::Parts& parts, const RayQuery& query)
         : parts_(parts),
           query_(query),
-          inverse_dd_(1.0 / glm::dot(query.ray.direction, query.ray.direction)),
-          inverse_d_(std::sqrt(inverse_dd_)) {
+          inverse_dd_(1.0 / glm::dot(query.ray.direction, query.ray.direction)) {
         t_min_ = query.t_min;
         if (query.origin_leaf == no_leaf) return;
         origin_error_ = std::max(query.origin_error, coordinate_error * largest(query.ray.origin));
-        t_min_ = std::max(t_min_, 4.0 * origin_error_ * inverse_d_);
+        t_min_ = std::max(t_min_, 4.0 * origin_error_ * std::sqrt(inverse_dd_));
     }
 
     double t_min() const { return t_min_; }
 
-    /// True if the ray misses the element's ball for sure, within t_min and t_max.
+    /// True if the ray misses a listed element for sure, within t_min and t_max.
     bool passes_by(uint32_t element, double t_max) const {
-        const Ball& ball = parts_.balls[element];
-        const double radius = static_cast<double>(ball.radius);
-        const Vec3 from = query_.ray.origin - Vec3(ball.center);
-        const double middle = -glm::dot(from, query_.ray.direction) * inverse_dd_;
-        const Vec3 foot = from + middle * query_.ray.direction;
-        const double reach = radius * inverse_d_;
-        constexpr double rounding = 1e-13;
-        const double slack = rounding * std::abs(middle);
-        return glm::dot(foot, foot) > radius * radius + rounding * glm::dot(from, from) ||
-               middle - reach - slack > t_max || middle + reach + slack < t_min_;
-    }
-
-    /// The same for a listed element.
-    bool listed_passes_by(uint32_t element, double t_max) const {
         const PlaneTest& plane = parts_.planes[element];
-        if (plane.normal == Vec3{0.0}) return passes_by(element, t_max);
+        if (plane.normal == Vec3{0.0}) return false;
         const double height = plane.distance - glm::dot(plane.normal, query_.ray.origin);
         const double slope = glm::dot(plane.normal, query_.ray.direction);
         constexpr double rounding = 1.0 - 1e-13;
@@ -76,19 +61,29 @@ public:
 
     template <bool any>
     bool test_listed(uint32_t element, double t_max, Crossing& found) const {
-        return !listed_passes_by(element, t_max) && test_passed<any>(element, t_max, found);
+        const Element& e = parts_.elements[element];
+        return (e.mask & query_.mask) != 0 && !passes_by(element, t_max) && ask<any>(e, t_max, found);
     }
 
+    /// For an element with one of the query's mask bits.
     template <bool any>
     bool test(uint32_t element, double t_max, Crossing& found) const {
-        return !passes_by(element, t_max) && test_passed<any>(element, t_max, found);
+        const Element& e = parts_.elements[element];
+        return !misses_ball(e) && ask<any>(e, t_max, found);
     }
 
 private:
+    bool misses_ball(const Element& e) const {
+        const double radius = static_cast<double>(e.radius);
+        const Vec3 from = query_.ray.origin - Vec3(e.center);
+        const double middle = -glm::dot(from, query_.ray.direction) * inverse_dd_;
+        const Vec3 foot = from + middle * query_.ray.direction;
+        constexpr double rounding = 1e-13;
+        return glm::dot(foot, foot) > radius * radius + rounding * glm::dot(from, from);
+    }
+
     template <bool any>
-    bool test_passed(uint32_t element, double t_max, Crossing& found) const {
-        const Element& e = parts_.elements[element];
-        if ((e.mask & query_.mask) == 0) return false;
+    bool ask(const Element& e, double t_max, Crossing& found) const {
         ShapeRay ray{query_.ray, t_min_, t_max, origin_error_ * e.object_stretch};
         if (e.leaf == query_.origin_leaf) {
             ray.starts_on_surface = true;
@@ -108,25 +103,8 @@ private:
     const Geometry::Parts& parts_;
     const RayQuery& query_;
     double inverse_dd_;
-    double inverse_d_;
     double t_min_ = 0;
     double origin_error_ = 0;
-};
-
-/// Remembers some of the elements that a ray was tested with; an element lies in several cells.
-class Mailbox {
-public:
-    Mailbox() { std::fill(std::begin(slots_), std::end(slots_), no_leaf); }
-    bool is_new(uint32_t element) {
-        uint32_t& slot = slots_[element % size];
-        if (slot == element) return false;
-        slot = element;
-        return true;
-    }
-
-private:
-    static constexpr uint32_t size = 8;
-    uint32_t slots_[size];
 };
 
 void fill_hit(const Geometry::Parts& parts, const RayQuery& query, Hit& hit) {
@@ -165,12 +143,8 @@ bool Geometry::closest(const RayQuery& query, Hit& hit) const {
     for (uint32_t i = 0; i < p.listed; ++i) {
         if (search.test_listed<false>(i, t_best, crossing)) take(i);
     }
-    Mailbox seen;
-    p.tree.walk(query.ray, search.t_min(), t_best, [&](const uint32_t* elements, uint32_t count) {
-        for (uint32_t i = 0; i < count; ++i) {
-            const uint32_t element = p.listed + elements[i];
-            if (seen.is_new(element) && search.test<false>(element, t_best, crossing)) take(element);
-        }
+    p.tree.walk(query.ray, query.mask, search.t_min(), t_best, [&](uint32_t i) {
+        if (search.test<false>(p.listed + i, t_best, crossing)) take(p.listed + i);
         return false;
     });
     if (hit.leaf == no_leaf) return false;
@@ -182,25 +156,25 @@ bool Geometry::occluded(const RayQuery& query, uint32_t& blocker) const {
     const Parts& p = *parts;
     const Search search(p, query);
     Crossing crossing;
-    const auto blocks = [&](uint32_t element) {
-        const bool hit = element < p.listed ? search.test_listed<true>(element, query.t_max, crossing)
-                                            : search.test<true>(element, query.t_max, crossing);
-        if (!hit) return false;
+    const auto takes = [&](uint32_t element) {
         blocker = p.elements[element].leaf;
         return true;
     };
-    if (blocker < p.element_of_leaf.size() && p.element_of_leaf[blocker] != no_leaf) {
-        if (blocks(p.element_of_leaf[blocker])) return true;
+    uint32_t tried = no_leaf;
+    if (blocker < p.element_of_leaf.size()) {
+        tried = p.element_of_leaf[blocker];
+        if (tried < p.listed) {
+            if (search.test_listed<true>(tried, query.t_max, crossing)) return takes(tried);
+        } else if (tried != no_leaf && (p.elements[tried].mask & query.mask) != 0) {
+            if (search.test<true>(tried, query.t_max, crossing)) return takes(tried);
+        }
     }
     for (uint32_t i = 0; i < p.listed; ++i) {
-        if (blocks(i)) return true;
+        if (i != tried && search.test_listed<true>(i, query.t_max, crossing)) return takes(i);
     }
-    Mailbox seen;
-    return p.tree.walk(query.ray, search.t_min(), query.t_max, [&](const uint32_t* elements, uint32_t count) {
-        for (uint32_t i = 0; i < count; ++i) {
-            if (seen.is_new(elements[i]) && blocks(p.listed + elements[i])) return true;
-        }
-        return false;
+    return p.tree.walk(query.ray, query.mask, search.t_min(), query.t_max, [&](uint32_t i) {
+        const uint32_t element = p.listed + i;
+        return element != tried && search.test<true>(element, query.t_max, crossing) && takes(element);
     });
 }
 
@@ -208,7 +182,8 @@ std::vector<uint32_t> Geometry::interiors_at(const Vec3& p) const {
     std::vector<uint32_t> out;
     const SolidForest& solids = parts->flat.solids;
     for (const TopSolid& top : parts->flat.tops) {
-        if (solids.nodes[top.node].region.contains(p) && solids.inside_unclipped(top.node, p)) {
+        if (top.box.contains(p) && solids.nodes[top.node].region.contains(p) &&
+            solids.inside_unclipped(top.node, p)) {
             out.push_back(top.interior);
         }
     }

@@ -1,7 +1,7 @@
 #pragma once
 #include "compile/flatten.h"
 #include "compile/geometry.h"
-#include "kdtree/kdtree.h"
+#include "kdtree/box_tree.h"
 
 namespace rb {
 
@@ -13,16 +13,11 @@ struct Element {
     bool in_world_space = false;
     bool tests_hits = false;
     float object_stretch = 1;  ///< bound on how lengths grow from world to object
-};
-
-/// Ball around what can be hit of an element, rounded outward; infinite radius where there is none. Kept
-/// apart from the element, since most tests end here.
-struct Ball {
+    float radius = std::numeric_limits<float>::infinity();  ///< of a ball around a sphere, rounded outward
     Vec3f center{0.0f};
-    float radius = std::numeric_limits<float>::infinity();
 };
 
-/// What stands for a ball where an element is an infinite plane in world space: normal 0 means none.
+/// Where a listed element is an infinite plane in world space: normal 0 means it is none.
 struct PlaneTest {
     Vec3 normal{0.0};
     double distance = 0;
@@ -37,10 +32,9 @@ struct ElementError {
 struct Geometry::Parts {
     FlatGeometry flat;
     std::vector<Element> elements;  ///< listed ones first, then those of the tree
-    std::vector<Ball> balls;        ///< parallel to `elements`
     std::vector<PlaneTest> planes;  ///< of the listed elements
-    uint32_t listed = 0;            ///< infinite ones, or all when they are few: no tree
-    KdTree tree;                    ///< numbers its elements from `listed` on
+    uint32_t listed = 0;            ///< infinite ones
+    BoxTree tree;                   ///< numbers its elements from `listed` on
     std::vector<uint32_t> element_of_leaf;
     std::vector<ElementError> errors;  ///< by leaf
     uint8_t all_masks = 0;

@@ -7,9 +7,6 @@ namespace rb {
 
 namespace {
 
-/// Up to here a tree costs more than it saves.
-constexpr size_t few_elements = 8;
-
 double stretch(const Affine& map) {
     return std::sqrt(glm::dot(map.row[0], map.row[0]) + glm::dot(map.row[1], map.row[1]) +
                      glm::dot(map.row[2], map.row[2]));
@@ -47,18 +44,15 @@ Element element_of(const Leaf& leaf, uint32_t index, const SolidForest& solids) 
     return e;
 }
 
-Ball ball_of(const Leaf& leaf, const Bounds& box) {
-    Ball ball;
-    if (!fits(box) || box.is_empty()) return ball;
-    const bool is_ball = leaf.in_world_space && leaf.shape->fills_ball();
-    const Bounds around = is_ball ? leaf.shape->bounds() : box;
-    const Vec3 half = 0.5 * around.size();
-    ball.center = Vec3f(around.center());
-    const double moved = glm::length(around.center() - Vec3(ball.center));
+/// Many rays that meet a sphere's box miss the sphere: a ball answers before the shape is asked.
+void set_ball(Element& e) {
+    if (!e.in_world_space || !e.shape->fills_ball()) return;
+    const Bounds box = e.shape->bounds();
+    if (!fits(box)) return;
+    e.center = Vec3f(box.center());
+    const double moved = glm::length(box.center() - Vec3(e.center));
     constexpr double rounding = 1.0 + 1e-6;
-    ball.radius =
-        static_cast<float>(rounding * ((is_ball ? max_component(half) : glm::length(half)) + moved));
-    return ball;
+    e.radius = static_cast<float>(rounding * (0.5 * max_component(box.size()) + moved));
 }
 
 }  // namespace
@@ -69,25 +63,21 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
     p.flat = std::move(flat);
     const auto& leaves = p.flat.leaves;
     p.element_of_leaf.assign(leaves.size(), no_leaf);
-    size_t finite = 0;
-    for (const Bounds& box : p.flat.boxes) finite += fits(box) && !box.is_empty() ? 1 : 0;
-    const bool use_tree = !brute_force && finite > few_elements;
-
-    std::vector<BoxF> boxes;
+    std::vector<BoxTree::Item> items;
     std::vector<uint32_t> treed;
     const auto add = [&](uint32_t i) {
         p.element_of_leaf[i] = static_cast<uint32_t>(p.elements.size());
         p.elements.push_back(element_of(leaves[i], i, p.flat.solids));
-        p.balls.push_back(brute_force ? Ball{} : ball_of(leaves[i], p.flat.boxes[i]));
+        if (!brute_force) set_ball(p.elements.back());
     };
     for (uint32_t i = 0; i < leaves.size(); ++i) {
         p.errors.push_back(error_of(leaves[i]));
         p.all_masks |= leaves[i].mask;
         const Bounds& box = p.flat.boxes[i];
         if (box.is_empty() && !brute_force) continue;
-        if (use_tree && fits(box)) {
+        if (!brute_force && fits(box)) {
             treed.push_back(i);
-            boxes.push_back(rounded_outward(box));
+            items.push_back({box, leaves[i].mask});
         } else {
             add(i);
         }
@@ -98,13 +88,8 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
         if (!brute_force && e.in_world_space) e.shape->as_plane(plane.normal, plane.distance);
         p.planes.push_back(plane);
     }
-    if (use_tree) {
-        KdOptions options;
-        options.block = 1;
-        options.traversal_cost = 1.6;
-        p.tree = KdTree(boxes, options);
-        for (const uint32_t old : p.tree.renumber()) add(treed[old]);
-    }
+    p.tree = BoxTree(items);
+    for (const uint32_t item : p.tree.order()) add(treed[item]);
     return geometry;
 }
 

@@ -42,6 +42,10 @@ double root_between(const std::array<double, N + 1>& c, double a, double fa, dou
     // Secant's first guess: pieces are monotone and mostly short.
     double x = a - fa * ((b - a) / (fb - fa));
     if (!(x > a && x < b)) x = 0.5 * (a + b);
+    constexpr double eps = std::numeric_limits<double>::epsilon();
+    const double least = 0.125 * (b - a);
+    double before = b - a;
+    double last = before;
     constexpr int most = 100;
     for (int i = 0; i < most; ++i) {
         const Value<N> v = value_at<N>(c, x);
@@ -52,12 +56,11 @@ double root_between(const std::array<double, N + 1>& c, double a, double fa, dou
             b = x;
         }
         double next = x - v.f / v.slope;
-        // Newton may creep along a multiple root: every fourth step halves.
-        if (!(next > a && next < b) || i % 4 == 3) next = 0.5 * (a + b);
-        if (std::abs(next - x) <= std::numeric_limits<double>::epsilon() * std::abs(next) || next == a ||
-            next == b) {
-            return next;
-        }
+        // Newton may creep along a multiple root: then halving is faster.
+        if (!(next > a && next < b) || std::abs(next - x) > 0.5 * before) next = 0.5 * (a + b);
+        before = last;
+        last = std::abs(next - x);
+        if (last <= eps * std::max(std::abs(next), least) || next == a || next == b) return next;
         x = next;
     }
     return x;
@@ -104,29 +107,106 @@ int roots_in(const std::array<double, N + 1>& c, double lo, double hi, double* r
     return n;
 }
 
-/// True if no root can lie in [lo, hi]: all Bernstein coefficients there have one sign.
-bool one_sign(const std::array<double, 5>& c, double lo, double hi) {
-    // Taylor shift to lo, then scale by the width.
-    std::array<double, 5> t = c;
-    for (size_t k = 0; k < 4; ++k) {
-        for (size_t i = 1; i <= 4 - k; ++i) t[i] += lo * t[i - 1];
+/// Roots by cutting an interval in halves until the signs of the Bernstein coefficients tell: no change, no
+/// root; one change, one root.
+template <size_t N>
+class Isolation {
+public:
+    using Coefficients = std::array<double, N + 1>;
+
+    Isolation(const Coefficients& c, double* roots, int most) : c_(c), roots_(roots), most_(most) {}
+
+    int search(double lo, double hi) {
+        // Taylor shift to lo, then scale by the width.
+        Coefficients b;
+        std::reverse_copy(c_.begin(), c_.end(), b.begin());
+        double magnitude = std::abs(c_[0]);
+        for (size_t i = 1; i <= N; ++i) magnitude = magnitude * std::abs(lo) + std::abs(c_[i]);
+        for (size_t k = 0; k < N; ++k) {
+            for (size_t i = N; i-- > k;) b[i] += lo * b[i + 1];
+        }
+        double power = 1.0;
+        double choose = 1.0;
+        for (size_t k = 1; k <= N; ++k) {
+            power *= hi - lo;
+            choose *= static_cast<double>(N + 1 - k) / static_cast<double>(k);
+            b[k] *= power;
+            magnitude += std::abs(b[k]);
+            b[k] /= choose;
+        }
+        for (size_t k = 1; k <= N; ++k) {
+            for (size_t i = N; i >= k; --i) b[i] += b[i - 1];
+        }
+        constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+        margin_ = rounding * magnitude;
+        constexpr int depth = 5;
+        if (signs(b).possible > 0) search(b, {lo, value_at<N>(c_, lo).f}, {hi, value_at<N>(c_, hi).f}, depth);
+        return count_;
     }
-    const double w = hi - lo;
-    const double p1 = t[3] * w;
-    const double p2 = t[2] * w * w;
-    const double p3 = t[1] * w * w * w;
-    const double p4 = t[0] * (w * w) * (w * w);
-    const double b0 = t[4];
-    const double b1 = b0 + p1 * 0.25;
-    const double b2 = b0 + p1 * 0.5 + p2 / 6.0;
-    const double b3 = b0 + p1 * 0.75 + p2 * 0.5 + p3 * 0.25;
-    const double b4 = b0 + p1 + p2 + p3 + p4;
-    const double magnitude = std::abs(b0) + std::abs(p1) + std::abs(p2) + std::abs(p3) + std::abs(p4);
-    const double least = std::min({b0, b1, b2, b3, b4});
-    const double most = std::max({b0, b1, b2, b3, b4});
-    constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
-    return least > rounding * magnitude || most < -rounding * magnitude;
-}
+
+private:
+    struct End {
+        double x;
+        double f;
+    };
+    struct Signs {
+        int possible;  ///< 0: surely no root
+        bool one;      ///< surely one
+    };
+
+    Signs signs(const Coefficients& b) const {
+        int above = 0;
+        int below = 0;
+        int changes = 0;
+        for (size_t i = 0; i <= N; ++i) {
+            above += b[i] > margin_ ? 1 : 0;
+            below += b[i] < -margin_ ? 1 : 0;
+            if (i > 0) changes += (b[i] < 0.0) != (b[i - 1] < 0.0) ? 1 : 0;
+        }
+        constexpr int all = static_cast<int>(N) + 1;
+        return {above == all || below == all ? 0 : 1, above + below == all && changes == 1};
+    }
+
+    void search(const Coefficients& b, const End& lo, const End& hi, int depth) {
+        if (count_ >= most_) return;
+        const Signs found = signs(b);
+        if (found.possible == 0) return;
+        if (found.one && (lo.f < 0.0) != (hi.f < 0.0)) {
+            add(root_between<N>(c_, lo.x, lo.f, hi.x, hi.f));
+            return;
+        }
+        const double x = 0.5 * (lo.x + hi.x);
+        if (depth == 0 || !(x > lo.x && x < hi.x)) {
+            double roots[N];
+            const int n = roots_in<N>(c_, lo.x, hi.x, roots);
+            for (int i = 0; i < n; ++i) add(roots[i]);
+            return;
+        }
+        // De Casteljau: `right` ends as the second half, its first entries on the way are the first half.
+        Coefficients left;
+        Coefficients right = b;
+        left[0] = right[0];
+        for (size_t k = 1; k <= N; ++k) {
+            for (size_t i = 0; i <= N - k; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
+            left[k] = right[0];
+        }
+        const End middle{x, value_at<N>(c_, x).f};
+        search(left, lo, middle, depth - 1);
+        search(right, middle, hi, depth - 1);
+    }
+
+    /// A root at the end of two intervals comes twice.
+    void add(double x) {
+        if (count_ >= most_ || (count_ > 0 && x <= roots_[count_ - 1])) return;
+        roots_[count_++] = x;
+    }
+
+    const Coefficients& c_;
+    double* roots_;
+    int most_;
+    int count_ = 0;
+    double margin_ = 0;
+};
 
 }  // namespace
 
@@ -158,13 +238,13 @@ int solve_quadratic(double a, double half_b, double c, std::span<double, 2> root
     return 2;
 }
 
-int solve_cubic(const std::array<double, 4>& c, double lo, double hi, std::span<double, 3> roots) {
-    return roots_in<3>(c, lo, hi, roots.data());
+int solve_cubic(const std::array<double, 4>& c, double lo, double hi, std::span<double, 3> roots, int most) {
+    return Isolation<3>(c, roots.data(), most).search(lo, hi);
 }
 
-int solve_quartic(const std::array<double, 5>& c, double lo, double hi, std::span<double, 4> roots) {
-    if (one_sign(c, lo, hi)) return 0;
-    return roots_in<4>(c, lo, hi, roots.data());
+int solve_quartic(const std::array<double, 5>& c, double lo, double hi, std::span<double, 4> roots,
+                  int most) {
+    return Isolation<4>(c, roots.data(), most).search(lo, hi);
 }
 
 double root_bound(std::span<const double> coefficients) {

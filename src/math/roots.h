@@ -9,12 +9,14 @@ namespace rb {
 /// roots, so nothing cancels.
 int solve_quadratic(double a, double half_b, double c, std::span<double, 2> roots);
 
-/// The distinct real roots of a polynomial (highest power first) in [lo, hi], ascending; returns their
-/// number. The interval is cut at the roots of the derivative, and in each monotone piece a bracketed Newton
-/// iteration runs to the last bits, so no simple root is lost. Shift and scale first: coefficients and
-/// interval should be about 1.
-int solve_cubic(const std::array<double, 4>& c, double lo, double hi, std::span<double, 3> roots);
-int solve_quartic(const std::array<double, 5>& c, double lo, double hi, std::span<double, 4> roots);
+/// The distinct real roots of a polynomial (highest power first) in [lo, hi], ascending, and no more than the
+/// first `most`; returns their number. The interval is cut until Bernstein coefficients or the roots of the
+/// derivative isolate each root, then a bracketed Newton iteration runs to the last bits, so no simple root
+/// is lost. Shift and scale first: coefficients and interval should be about 1.
+int solve_cubic(const std::array<double, 4>& c, double lo, double hi, std::span<double, 3> roots,
+                int most = 3);
+int solve_quartic(const std::array<double, 5>& c, double lo, double hi, std::span<double, 4> roots,
+                  int most = 4);
 
 /// A radius that holds all real roots (Cauchy's bound), for callers without an interval. Leading zeros are
 /// skipped.

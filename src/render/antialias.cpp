@@ -37,18 +37,16 @@ double SampleDistance::operator()(const Radiance& a, const Radiance& b) const {
 bool SampleDistance::at_least(const Radiance& a, const Radiance& b, double threshold) const {
     if (raw_ || is_srgb_ || exponent_ >= 1.0) return (*this)(a, b) >= threshold;
     // For a concave power the chord is bounded by the slope at the smaller value: |x^e - y^e| <= |x - y| * e
-    // * m^(e-1), and m^(e-1) <= 1 / m. Cheap, and decides nearly all pairs of neighbours.
-    double bound = std::abs(static_cast<double>(a.transmit) - static_cast<double>(b.transmit));
-    for (int c = 0; c < 3; ++c) {
-        const auto x = static_cast<double>(a.rgb[c]);
-        const auto y = static_cast<double>(b.rgb[c]);
-        if (x == y) continue;
-        const double smaller = std::min(x, y);
-        if (smaller <= 0.0) return (*this)(a, b) >= threshold;
-        bound += std::abs(x - y) * exponent_ / std::min(smaller, 1.0);
-    }
+    // * m^(e-1), and m^(e-1) <= 1 / min(m, 1). Cheap, and decides nearly all pairs of neighbours.
+    const Rgb apart = glm::abs(a.rgb - b.rgb);
+    const Rgb smaller = glm::min(glm::min(a.rgb, b.rgb), Rgb(1.0f));
+    const float sum = apart.x + apart.y + apart.z;
+    const auto least = static_cast<double>(std::min({smaller.x, smaller.y, smaller.z}));
+    const double transmit = std::abs(static_cast<double>(a.transmit) - static_cast<double>(b.transmit));
     // A little slack for the rounding of this bound against that of the true distance.
-    if (bound * (1.0 + 1e-9) < threshold) return false;
+    constexpr double slack = 1.0 - 1e-5;
+    if (static_cast<double>(sum) * exponent_ < (threshold * slack - transmit) * least) return false;
+    if (sum == 0.0f) return transmit >= threshold;
     return (*this)(a, b) >= threshold;
 }
 
@@ -56,14 +54,9 @@ void Sampler::sample(std::span<const Vec2> positions, std::vector<Radiance>& out
     batch_.clear();
     batch_.reserve(positions.size());
     for (const Vec2& p : positions) {
-        CameraRay ray;
-        if (const auto made = rays_.at(p.x, p.y)) {
-            ray.ray = *made;
-        } else {
-            ray.exists = false;
-        }
+        CameraRay& ray = batch_.emplace_back();
+        ray.exists = rays_.at(p.x, p.y, ray.ray);
         ray.seed = mix(std::bit_cast<uint64_t>(p.x) ^ mix(std::bit_cast<uint64_t>(p.y)));
-        batch_.push_back(ray);
     }
     out.resize(positions.size());
     integrator_.trace(batch_, out, counters_);

@@ -8,7 +8,8 @@ namespace rb {
 
 namespace {
 
-/// Rays that travel together: enough to fill batches, few enough for their state to stay in the second level cache.
+/// Rays that travel together: enough to fill batches, few enough for their state to stay in the second level
+/// cache.
 constexpr size_t stream_size = 512;
 
 }  // namespace

@@ -41,42 +41,19 @@ public:
         return q.y * q.y + across * across <= minor_ * minor_;
     }
 
-    /// In units of the outer radius, with the parameter's zero at the closest approach to the centre, or at
-    /// the origin where the ray starts on the surface and that root is divided out.
     template <class Sink>
     void each_crossing(const ShapeRay& query, Sink&& sink) const {
-        const double size = major_ + minor_;
-        if (!(size > 0.0)) return;
-        const Vec3 o = frame_.local_point(query.ray.origin) / size;
-        Vec3 d = frame_.local_direction(query.ray.direction);
-        const double length = glm::length(d);
-        d /= length;
-        const double t_of_u = size / length;
-        const double R = major_ / size;
-        const double r = minor_ / size;
-        const bool starts = starts_here(query, o, R, r);
-        const double middle = starts ? 0.0 : -glm::dot(o, d);
-        const Vec3 q = o + middle * d;
-        double lo = query.t_min / t_of_u - middle;
-        double hi = query.t_max / t_of_u - middle;
-        if (!narrow(q, d, r, lo, hi)) return;
-
-        const double rho = std::sqrt(q.x * q.x + q.z * q.z);
-        const double k = glm::dot(q, q) + R * R - r * r;
-        const double b = glm::dot(q, d);
-        const double f = 4.0 * R * R;
-        const double c2 = 4.0 * b * b + 2.0 * k - f * (d.x * d.x + d.z * d.z);
-        const double c1 = 4.0 * b * k - 2.0 * f * (q.x * d.x + q.z * d.z);
-        const double across = rho - R;
-        const double c0 = (across * across + q.y * q.y - r * r) * (k + 2.0 * R * rho);
         std::array<double, 4> roots{};
-        int n = 0;
-        if (starts) {
-            n = solve_cubic({1.0, 4.0 * b, c2, c1}, lo, hi, std::span<double, 3>(roots.data(), 3));
-        } else {
-            n = solve_quartic({1.0, 4.0 * b, c2, c1, c0}, lo, hi, roots);
-        }
-        for (int i = 0; i < n; ++i) sink((roots[static_cast<size_t>(i)] + middle) * t_of_u, 0u, Vec2{0.0});
+        const int n = crossings_of(query, roots, 4);
+        for (int i = 0; i < n; ++i) sink(roots[static_cast<size_t>(i)], 0u, Vec2{0.0});
+    }
+
+    bool any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const override {
+        if (filter) return closest(ray, filter, found);
+        std::array<double, 4> roots{};
+        if (crossings_of(ray, roots, 1) == 0) return false;
+        found = {roots[0], 0u, Vec2{0.0}};
+        return (roots[0] > ray.t_min && roots[0] <= ray.t_max) || closest(ray, filter, found);
     }
 
     Vec3 normal(const Vec3& p, const Crossing&) const override {
@@ -112,37 +89,104 @@ public:
     }
 
 private:
+    struct Interval {
+        double lo;
+        double hi;
+    };
+
+    /// The first `most` crossings from about t_min on, ascending. In units of the outer radius, with the
+    /// parameter's zero at the closest approach to the centre, or at the origin where the ray starts on the
+    /// surface and that root is divided out.
+    int crossings_of(const ShapeRay& query, std::array<double, 4>& roots, int most) const {
+        const double size = major_ + minor_;
+        if (!(size > 0.0)) return 0;
+        const double unit = 1.0 / size;
+        const Vec3 o = frame_.local_point(query.ray.origin) * unit;
+        Vec3 d = frame_.local_direction(query.ray.direction);
+        const double speed = 1.0 / glm::length(d);
+        d *= speed;
+        const double t_of_u = size * speed;
+        const double R = major_ * unit;
+        const double r = minor_ * unit;
+        double middle = -glm::dot(o, d);
+        Vec3 q = o + middle * d;
+        const double u_of_t = 1.0 / t_of_u;
+        Interval in{query.t_min * u_of_t - middle, std::numeric_limits<double>::infinity()};
+        // The end of the query only rejects, so that a root does not depend on it.
+        if (!narrow(q, d, r, in) ||
+            passes_hole(q, d, R - r, {in.lo, std::min(in.hi, query.t_max * u_of_t - middle)}))
+            return 0;
+
+        const bool starts = starts_here(query, o, R, r);
+        if (starts) {
+            in.lo = std::max(in.lo + middle, query.t_min * u_of_t);
+            in.hi += middle;
+            q = o;
+            middle = 0.0;
+        }
+        const double rho = std::sqrt(q.x * q.x + q.z * q.z);
+        const double k = glm::dot(q, q) + R * R - r * r;
+        const double b = glm::dot(q, d);
+        const double f = 4.0 * R * R;
+        const double c2 = 4.0 * b * b + 2.0 * k - f * (d.x * d.x + d.z * d.z);
+        const double c1 = 4.0 * b * k - 2.0 * f * (q.x * d.x + q.z * d.z);
+        int n = 0;
+        if (starts) {
+            n = solve_cubic({1.0, 4.0 * b, c2, c1}, in.lo, in.hi, std::span<double, 3>(roots.data(), 3),
+                            std::min(most, 3));
+        } else {
+            const double across = rho - R;
+            const double c0 = (across * across + q.y * q.y - r * r) * (k + 2.0 * R * rho);
+            n = solve_quartic({1.0, 4.0 * b, c2, c1, c0}, in.lo, in.hi, roots, most);
+        }
+        for (int i = 0; i < n; ++i)
+            roots[static_cast<size_t>(i)] = (roots[static_cast<size_t>(i)] + middle) * t_of_u;
+        return n;
+    }
+
     bool starts_here(const ShapeRay& query, const Vec3& o, double R, double r) const {
         if (query.starts_on_surface) return true;
         if (!(query.origin_error > 0.0)) return false;
         const double error =
             query.origin_error * std::max(frame_.radial_stretch, frame_.axial_stretch) / (major_ + minor_);
         const double rho = std::sqrt(o.x * o.x + o.z * o.z);
-        return std::abs(std::hypot(rho - R, o.y) - r) <= error ||
-               std::abs(std::hypot(rho + R, o.y) - r) <= error;
+        const auto is_near = [&](double across) {
+            return std::abs(std::sqrt(across * across + o.y * o.y) - r) <= error;
+        };
+        return is_near(rho - R) || is_near(rho + R);
     }
 
-    /// Cuts the interval to where the ray is in the outer sphere and between the planes y = -r and y = r, a
-    /// little enlarged, since the surface touches both.
-    static bool narrow(const Vec3& q, const Vec3& d, double r, double& lo, double& hi) {
+    /// Cuts the interval to where the ray, which passes the centre nearest at `q`, is in the outer sphere and
+    /// between the planes y = -r and y = r, a little enlarged, since the surface touches both.
+    static bool narrow(const Vec3& q, const Vec3& d, double r, Interval& in) {
         constexpr double margin = 1.0 + 1e-6;
-        const double b = glm::dot(q, d);
-        const Vec3 foot = q - b * d;
-        const double chord = margin - glm::dot(foot, foot);
+        const double chord = margin - glm::dot(q, q);
         if (!(chord > 0.0)) return false;
         const double half = std::sqrt(chord);
-        lo = std::max(lo, -b - half);
-        hi = std::min(hi, -b + half);
+        in = {std::max(in.lo, -half), std::min(in.hi, half)};
         const double reach = r * margin;
         if (d.y != 0.0) {
-            const double a = (-reach - q.y) / d.y;
-            const double c = (reach - q.y) / d.y;
-            lo = std::max(lo, std::min(a, c));
-            hi = std::min(hi, std::max(a, c));
+            const double inverse = 1.0 / d.y;
+            const double a = (-reach - q.y) * inverse;
+            const double c = (reach - q.y) * inverse;
+            in = {std::max(in.lo, std::min(a, c)), std::min(in.hi, std::max(a, c))};
         } else if (std::abs(q.y) > reach) {
             return false;
         }
-        return lo < hi;
+        return in.lo < in.hi;
+    }
+
+    /// True if the interval is empty or all in the hole: the distance from the axis is largest at an end.
+    static bool passes_hole(const Vec3& q, const Vec3& d, double hole, const Interval& in) {
+        if (!(in.lo < in.hi)) return true;
+        if (!(hole > 0.0)) return false;
+        const auto is_in = [&](double u) {
+            const double x = q.x + u * d.x;
+            const double z = q.z + u * d.z;
+            constexpr double margin = 1.0 - 1e-6;
+            return x * x + z * z < hole * hole * margin;
+        };
+        return is_in(in.lo) && is_in(in.hi);
     }
 
     Frame frame_;

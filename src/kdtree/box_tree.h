@@ -1,0 +1,162 @@
+#pragma once
+#include "math/bounds.h"
+#include "math/ray.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <emmintrin.h>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace rb {
+
+/// A ray against boxes in single precision: planes are met a little too early or too late, never the other
+/// way round. Lengths are measured along the longest component of the direction.
+class BoxRay {
+public:
+    /// `center` is what the boxes are relative to, `reach` the largest of their coordinates.
+    BoxRay(const Ray& ray, const Vec3& center, float reach);
+
+    float scaled_down(double t) const { return static_cast<float>(t * (1.0 - margin) * speed_); }
+    float scaled_up(double t) const {
+        return static_cast<float>(std::min(t * (1.0 + margin) * speed_, most));
+    }
+
+    /// Bit i is set if the ray may meet box i of four between `near` and `far`; `near_of[i]` is where, at the
+    /// earliest. Planes lie as [axis][low or high][box].
+    unsigned meets(const float planes[3][2][4], float near, float far, float near_of[4]) const {
+        __m128 enter = _mm_set1_ps(near);
+        __m128 leave = _mm_set1_ps(std::numeric_limits<float>::max());
+        const auto cut = [&](size_t axis) {
+            const float* axis_planes = planes[axis][0];
+            const __m128 first = _mm_load_ps(axis_planes + high_first_[axis]);
+            const __m128 last = _mm_load_ps(axis_planes + low_first_[axis]);
+            const __m128 a = _mm_mul_ps(_mm_sub_ps(first, enter_from_[axis]), inverse_[axis]);
+            const __m128 b = _mm_mul_ps(_mm_sub_ps(last, leave_from_[axis]), inverse_[axis]);
+            // NaN (0 times infinity) leaves the second operand.
+            enter = _mm_max_ps(a, enter);
+            leave = _mm_min_ps(b, leave);
+        };
+        cut(0);
+        cut(1);
+        cut(2);
+        leave = _mm_mul_ps(leave, _mm_set1_ps(1.0f + static_cast<float>(margin)));
+        _mm_store_ps(near_of, enter);
+        leave = _mm_min_ps(leave, _mm_set1_ps(far));
+        return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(enter, leave)));
+    }
+
+private:
+    /// Four roundings of the distance to a plane, and room.
+    static constexpr double margin = 0x1p-20;
+    static constexpr double most = std::numeric_limits<float>::max();
+
+    __m128 enter_from_[3];
+    __m128 leave_from_[3];
+    __m128 inverse_[3];
+    uint32_t high_first_[3];  ///< 4 where the ray enters through the high plane, else 0
+    uint32_t low_first_[3];   ///< the other way round
+    double speed_;
+};
+
+/// A hierarchy of boxes, four to a node; elements are its leaves, so every element's own box is tested.
+class BoxTree {
+public:
+    struct Item {
+        Bounds box;  ///< finite and not empty
+        uint8_t mask = 0;
+    };
+
+    BoxTree() = default;
+    explicit BoxTree(std::span<const Item> items);
+
+    bool is_empty() const { return nodes_.empty(); }
+    /// The item of each element: elements are numbered so that neighbours lie together in memory.
+    const std::vector<uint32_t>& order() const { return order_; }
+
+    /// Calls `visit(element)` for the elements with a bit of `mask` whose boxes the ray may meet between
+    /// `t_min` (not negative) and `t_max`, about from near to far; `t_max` is read again after every call.
+    /// Ends early when `visit` returns true.
+    template <class Visit>
+    bool walk(const Ray& ray, uint8_t mask, double t_min, const double& t_max, Visit&& visit) const;
+
+private:
+    friend class BoxTreeBuilder;
+    static constexpr uint32_t element_bit = 1u << 31;
+    struct alignas(64) Node {
+        float planes[3][2][4];
+        uint32_t child[4];  ///< a node, or with `element_bit` an element
+        uint8_t mask[4];    ///< of all below
+    };
+
+    std::vector<Node> nodes_;
+    std::vector<uint32_t> order_;
+    Vec3 center_{0.0};
+    float reach_ = 0;
+};
+
+inline BoxRay::BoxRay(const Ray& ray, const Vec3& center, float reach) {
+    const Vec3& d = ray.direction;
+    speed_ = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    const double unit = 1.0 / speed_;
+    const Vec3 o = ray.origin - center;
+    const double farthest = std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)});
+    // A component below `tiny` counts as 0: what it moves the ray across the scene is added to the error.
+    constexpr float tiny = 1e-30f;
+    const float slack = tiny * (static_cast<float>(farthest) + reach) + std::numeric_limits<float>::min();
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto from = static_cast<float>(o[axis]);
+        const float error = std::abs(from) * 0x1p-22f + slack;
+        const auto slope = static_cast<float>(d[axis] * unit);
+        const bool down = std::signbit(slope);
+        constexpr float inf = std::numeric_limits<float>::infinity();
+        enter_from_[axis] = _mm_set1_ps(down ? from - error : from + error);
+        leave_from_[axis] = _mm_set1_ps(down ? from + error : from - error);
+        inverse_[axis] = _mm_set1_ps(std::abs(slope) > tiny ? 1.0f / slope : std::copysign(inf, slope));
+        high_first_[axis] = down ? 4u : 0u;
+        low_first_[axis] = 4u - high_first_[axis];
+    }
+}
+
+template <class Visit>
+bool BoxTree::walk(const Ray& ray, uint8_t mask, double t_min, const double& t_max, Visit&& visit) const {
+    if (nodes_.empty()) return false;
+    const BoxRay slabs(ray, center_, reach_);
+    const float near = slabs.scaled_down(t_min);
+    float far = slabs.scaled_up(t_max);
+    struct Waiting {
+        float near;
+        uint32_t child;
+    };
+    Waiting stack[256];
+    int waiting = 0;
+    uint32_t at = 0;
+    for (;;) {
+        if (at & element_bit) {
+            if (visit(at & ~element_bit)) return true;
+            far = slabs.scaled_up(t_max);
+        } else {
+            const Node& node = nodes_[at];
+            alignas(16) float near_of[4];
+            const int first = waiting;
+            for (unsigned met = slabs.meets(node.planes, near, far, near_of); met != 0; met &= met - 1) {
+                const int i = std::countr_zero(met);
+                if ((node.mask[i] & mask) == 0) continue;
+                // Insertion keeps the nearest on top.
+                int place = waiting++;
+                for (; place > first && stack[place - 1].near < near_of[i]; --place)
+                    stack[place] = stack[place - 1];
+                stack[place] = {near_of[i], node.child[i]};
+            }
+        }
+        do {
+            if (waiting == 0) return false;
+            --waiting;
+        } while (stack[waiting].near > far);
+        at = stack[waiting].child;
+    }
+}
+
+}  // namespace rb
