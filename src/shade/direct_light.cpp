@@ -24,12 +24,14 @@ ShadowMemory::ShadowMemory(size_t rows, size_t lights, bool keep, Scratch::Scope
     known_ = memory.take<uint8_t>(rows * lights, uint8_t{0});
 }
 
-/// A row that a light would illuminate if nothing were between them.
+/// A row that a light illuminates if nothing is between them.
 struct DirectLight::Reached {
+    LightVector way;
+    double cosine;  ///< between the way and the row's normal
     uint32_t row;
+    bool backside;
     Rgb share;  ///< of what arrives
     Rgb color;  ///< of the light, after attenuation
-    LightVector way;
 };
 
 void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, ShadowMemory& memory) {
@@ -47,7 +49,9 @@ void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, Shado
             }
             continue;
         }
-        for (const Reached& place : reached.first(reach(finish, light, rows, reached))) {
+        const size_t facing = find_facing(finish, source, rows, reached);
+        const size_t lit = find_lit(finish, light, rows, reached.first(facing));
+        for (const Reached& place : reached.first(lit)) {
             LitRow& row = rows[place.row];
             Rgb sum = place.share * arriving(light, row, place.way, place.color, memory);
             if (has_film) sum *= thin_film(finish, row, place.way.direction);
@@ -56,34 +60,48 @@ void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, Shado
     }
 }
 
-/// Finds the rows that a light illuminates, before shadows: where a surface shows nothing of it (a highlight
-/// elsewhere), no shadow ray is needed. All at once, so that roots and divisions overlap.
-size_t DirectLight::reach(const FinishProgram& finish, size_t light, std::span<const LitRow> rows,
-                          std::span<Reached> reached) const {
-    const LightProgram& source = program_.lights[light];
-    const Vec3 location = source.light().location;
-    const bool one_sided = finish.finish.diffuse_back == 0.0f;
-    const bool may_look_away = one_sided && !source.is_directed();
-    LightMeeting meeting;
-    meeting.color = Rgb(1.0f);
-    meeting.highlights = !source.is_shadowless();
+/// Rows that look towards a light. A loop with nothing else in it, so that roots and divisions overlap.
+size_t DirectLight::find_facing(const FinishProgram& finish, const LightProgram& source,
+                                std::span<const LitRow> rows, std::span<Reached> reached) const {
+    const bool shows_back = finish.finish.diffuse_back != 0.0f;
     size_t count = 0;
     for (size_t i = 0; i < rows.size(); ++i) {
         const LitRow& row = rows[i];
         const HitPoint& hit = state_.hits[row.hit];
-        const bool sided = !hit.double_illuminate;
-        if (may_look_away && sided && glm::dot(row.place.normal, location - hit.point) < 0.0) continue;
-        const LightVector way = source.toward(hit.point, Vec3{0.0});
-        meeting.direction = way.direction;
-        meeting.cosine = glm::dot(row.place.normal, way.direction);
-        meeting.backside = sided && meeting.cosine < facing_limit;
-        if (meeting.backside && one_sided) continue;
-        const Rgb color = source.color() * static_cast<float>(source.attenuation(hit.point, way));
+        Reached& place = reached[count];
+        place.way = source.toward(hit.point, Vec3{0.0});
+        place.cosine = glm::dot(row.place.normal, place.way.direction);
+        place.row = static_cast<uint32_t>(i);
+        place.backside = !hit.double_illuminate && place.cosine < facing_limit;
+        count += !place.backside || shows_back ? 1 : 0;
+    }
+    return count;
+}
+
+/// Keeps the rows that show something of a light: for the others (a highlight elsewhere) no shadow ray is
+/// needed.
+size_t DirectLight::find_lit(const FinishProgram& finish, size_t light, std::span<const LitRow> rows,
+                             std::span<Reached> reached) const {
+    const LightProgram& source = program_.lights[light];
+    LightMeeting meeting;
+    meeting.color = Rgb(1.0f);
+    meeting.highlights = !source.is_shadowless();
+    size_t count = 0;
+    for (const Reached& place : reached) {
+        const LitRow& row = rows[place.row];
+        const Vec3& point = state_.hits[row.hit].point;
+        const Rgb color = source.color() * static_cast<float>(source.attenuation(point, place.way));
         if (is_black(color)) continue;
+        meeting.direction = place.way.direction;
+        meeting.cosine = place.cosine;
+        meeting.backside = place.backside;
         meeting.crand = crand(finish, light, row);
         const Rgb share = reflected_light(finish, row.place, meeting);
         if (share == Rgb(0.0f)) continue;
-        reached[count++] = {static_cast<uint32_t>(i), share, color, way};
+        Reached& kept = reached[count++];
+        kept = place;
+        kept.share = share;
+        kept.color = color;
     }
     return count;
 }

@@ -45,8 +45,10 @@ public:
 
 private:
     struct Reached;
-    size_t reach(const FinishProgram& finish, size_t light, std::span<const LitRow> rows,
-                 std::span<Reached> reached) const;
+    size_t find_facing(const FinishProgram& finish, const LightProgram& source, std::span<const LitRow> rows,
+                       std::span<Reached> reached) const;
+    size_t find_lit(const FinishProgram& finish, size_t light, std::span<const LitRow> rows,
+                    std::span<Reached> reached) const;
     double crand(const FinishProgram& finish, size_t light, const LitRow& row) const;
     Rgb from_area(const FinishProgram& finish, size_t light, const LitRow& row, const LightVector& way,
                   ShadowMemory& memory);
