@@ -1,4 +1,4 @@
-#include "math/jitter.h"
+#include "math/shuffle.h"
 #include "render/camera_rays.h"
 
 #include <cmath>
@@ -67,8 +67,8 @@ TEST(CameraRays, SphericalTurnsLeftHanded) {
 // First entries as measured (geometry spec 19.1).
 TEST(Jitter, HashTable) {
     const std::array expected{2291u, 2574u, 3654u, 1557u, 1196u, 3388u, 2637u, 1820u};
-    for (uint32_t i = 0; i < expected.size(); ++i) EXPECT_EQ(shuffled_hash(i), expected[i]);
-    EXPECT_EQ(shuffled_hash(4095), 3088u);
+    for (uint32_t i = 0; i < expected.size(); ++i) EXPECT_EQ(shuffled_hash[i], expected[i]);
+    EXPECT_EQ(shuffled_hash[4095], 3088u);
 }
 
 }  // namespace
