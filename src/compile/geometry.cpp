@@ -12,7 +12,7 @@ bool Geometry::has(uint8_t mask) const { return (parts->all_masks & mask) != 0; 
 
 namespace {
 
-double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+double largest(const Vec3& v) { return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z)); }
 
 /// Bound on rounding per unit of coordinate, with room for a shape's own frame and solver.
 constexpr double coordinate_error = 1e-14;
@@ -41,13 +41,13 @@ public:
         : parts_(parts),
           query_(query),
           inverse_dd_(1.0 / glm::dot(query.ray.direction, query.ray.direction)) {
-        t_min_ = query.t_min;
+        ray_.t_min = query.t_min;
         if (query.origin_leaf == no_leaf) return;
-        origin_error_ = std::max(query.origin_error, coordinate_error * largest(query.ray.origin));
-        t_min_ = std::max(t_min_, 4.0 * origin_error_ * std::sqrt(inverse_dd_));
+        ray_.origin_error = std::max(query.origin_error, coordinate_error * largest(query.ray.origin));
+        ray_.t_min = std::max(ray_.t_min, 4.0 * ray_.origin_error * std::sqrt(inverse_dd_));
     }
 
-    double t_min() const { return t_min_; }
+    double t_min() const { return ray_.t_min; }
 
     /// True if the ray misses a listed element for sure, within t_min and t_max.
     bool passes_by(uint32_t element, double t_max) const {
@@ -75,6 +75,7 @@ public:
 private:
     bool misses_ball(const Element& e) const {
         const double radius = static_cast<double>(e.radius);
+        if (radius == std::numeric_limits<double>::infinity()) return false;
         const Vec3 from = query_.ray.origin - Vec3(e.center);
         const double middle = -glm::dot(from, query_.ray.direction) * inverse_dd_;
         const Vec3 foot = from + middle * query_.ray.direction;
@@ -84,27 +85,43 @@ private:
 
     template <bool any>
     bool ask(const Element& e, double t_max, Crossing& found) const {
-        ShapeRay ray{query_.ray, t_min_, t_max, origin_error_ * e.object_stretch};
-        if (e.leaf == query_.origin_leaf) {
-            ray.starts_on_surface = true;
-            ray.origin_part = query_.origin_part;
+        const bool starts = e.leaf == query_.origin_leaf;
+        if (!has_ray_) {
+            // Not at the start of a query: the caller has hardly stored the ray by then, and the copy would
+            // wait for that.
+            ray_.ray = query_.ray;
+            has_ray_ = true;
         }
+        ray_.t_max = t_max;
+        ray_.starts_on_surface = starts;
+        ray_.origin_part = starts ? query_.origin_part : any_part;
+        if (e.in_world_space && !e.tests_hits) {
+            return any ? e.shape->any(ray_, nullptr, found) : e.shape->closest(ray_, nullptr, found);
+        }
+        return ask_elsewhere<any>(e, found);
+    }
+
+    /// The same for leaves in a space of their own, and for those that are parts of solids.
+    template <bool any>
+    bool ask_elsewhere(const Element& e, Crossing& found) const {
         const Leaf& leaf = parts_.flat.leaves[e.leaf];
+        ShapeRay moved = ray_;
         if (!e.in_world_space) {
-            ray.ray = {leaf.object_from_world.point(query_.ray.origin),
-                       leaf.object_from_world.direction(query_.ray.direction)};
+            moved.ray = {leaf.object_from_world.point(ray_.ray.origin),
+                         leaf.object_from_world.direction(ray_.ray.direction)};
+            moved.origin_error *= static_cast<double>(e.object_stretch);
         }
         if (!e.tests_hits)
-            return any ? e.shape->any(ray, nullptr, found) : e.shape->closest(ray, nullptr, found);
+            return any ? e.shape->any(moved, nullptr, found) : e.shape->closest(moved, nullptr, found);
         const SolidFilter filter(parts_.flat.solids, leaf, query_.ray);
-        return any ? e.shape->any(ray, &filter, found) : e.shape->closest(ray, &filter, found);
+        return any ? e.shape->any(moved, &filter, found) : e.shape->closest(moved, &filter, found);
     }
 
     const Geometry::Parts& parts_;
     const RayQuery& query_;
     double inverse_dd_;
-    double t_min_ = 0;
-    double origin_error_ = 0;
+    mutable bool has_ray_ = false;
+    mutable ShapeRay ray_;  ///< for shapes in world space; the rest changes from element to element
 };
 
 void fill_hit(const Geometry::Parts& parts, const RayQuery& query, Hit& hit) {
@@ -118,8 +135,13 @@ void fill_hit(const Geometry::Parts& parts, const RayQuery& query, Hit& hit) {
         const Vec3 p = leaf.object_from_world.point(hit.point);
         hit.normal = leaf.object_from_world.transposed_direction(leaf.shape->normal(p, hit.crossing));
     }
-    const double length = glm::length(hit.normal);
-    if (length > 0.0) hit.normal /= leaf.inverted ? -length : length;
+    const double square = glm::dot(hit.normal, hit.normal);
+    if (square == 1.0) {
+        if (leaf.inverted) hit.normal = -hit.normal;
+    } else if (square > 0.0) {
+        const double length = std::sqrt(square);
+        hit.normal /= leaf.inverted ? -length : length;
+    }
     const double magnitude = largest(ray.origin) + hit.t * largest(ray.direction);
     const ElementError& error = parts.errors[hit.leaf];
     hit.error = coordinate_error * (error.scale * magnitude + error.offset);

@@ -49,6 +49,12 @@ public:
     }
 
 private:
+    static void spread(__m128 v, __m128 out[3]) {
+        out[0] = _mm_shuffle_ps(v, v, _MM_SHUFFLE(0, 0, 0, 0));
+        out[1] = _mm_shuffle_ps(v, v, _MM_SHUFFLE(1, 1, 1, 1));
+        out[2] = _mm_shuffle_ps(v, v, _MM_SHUFFLE(2, 2, 2, 2));
+    }
+
     /// Four roundings of the distance to a plane, and room.
     static constexpr double margin = 0x1p-20;
     static constexpr double most = std::numeric_limits<float>::max();
@@ -106,16 +112,26 @@ inline BoxRay::BoxRay(const Ray& ray, const Vec3& center, float reach) {
     // A component below `tiny` counts as 0: what it moves the ray across the scene is added to the error.
     constexpr float tiny = 1e-30f;
     const float slack = tiny * (static_cast<float>(farthest) + reach) + std::numeric_limits<float>::min();
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto from = static_cast<float>(o[axis]);
-        const float error = std::abs(from) * 0x1p-22f + slack;
-        const auto slope = static_cast<float>(d[axis] * unit);
-        const bool down = std::signbit(slope);
-        constexpr float inf = std::numeric_limits<float>::infinity();
-        enter_from_[axis] = _mm_set1_ps(down ? from - error : from + error);
-        leave_from_[axis] = _mm_set1_ps(down ? from + error : from - error);
-        inverse_[axis] = _mm_set1_ps(std::abs(slope) > tiny ? 1.0f / slope : std::copysign(inf, slope));
-        high_first_[axis] = down ? 4u : 0u;
+    const auto narrowed = [](const Vec3& v) {
+        return _mm_movelh_ps(_mm_cvtpd_ps(_mm_set_pd(v.y, v.x)), _mm_cvtpd_ps(_mm_set_sd(v.z)));
+    };
+    const __m128 sign_bit = _mm_set1_ps(-0.0f);
+    const __m128 from = narrowed(o);
+    const __m128 slope = narrowed(d * unit);
+    const __m128 sign = _mm_and_ps(slope, sign_bit);
+    const __m128 error =
+        _mm_add_ps(_mm_mul_ps(_mm_andnot_ps(sign_bit, from), _mm_set1_ps(0x1p-22f)), _mm_set1_ps(slack));
+    const __m128 ahead = _mm_xor_ps(error, sign);
+    const __m128 steep = _mm_cmpgt_ps(_mm_andnot_ps(sign_bit, slope), _mm_set1_ps(tiny));
+    const __m128 infinite = _mm_or_ps(_mm_set1_ps(std::numeric_limits<float>::infinity()), sign);
+    const __m128 inverse =
+        _mm_or_ps(_mm_and_ps(steep, _mm_div_ps(_mm_set1_ps(1.0f), slope)), _mm_andnot_ps(steep, infinite));
+    spread(_mm_add_ps(from, ahead), enter_from_);
+    spread(_mm_sub_ps(from, ahead), leave_from_);
+    spread(inverse, inverse_);
+    const auto down = static_cast<uint32_t>(_mm_movemask_ps(slope));
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+        high_first_[axis] = (down >> axis & 1u) * 4u;
         low_first_[axis] = 4u - high_first_[axis];
     }
 }

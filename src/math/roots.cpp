@@ -22,18 +22,21 @@ template <size_t N>
 struct Value {
     double f;
     double slope;
+    double bend;  ///< half the second derivative
 };
 
-/// Horner for the value and the slope at once.
+/// Horner for all three at once.
 template <size_t N>
 Value<N> value_at(const std::array<double, N + 1>& c, double x) {
     double f = c[0];
     double slope = 0.0;
+    double bend = 0.0;
     for (size_t i = 1; i <= N; ++i) {
+        bend = bend * x + slope;
         slope = slope * x + f;
         f = f * x + c[i];
     }
-    return {f, slope};
+    return {f, slope, bend};
 }
 
 /// The root between a and b, where the values `fa` and `fb` have opposite signs.
@@ -57,10 +60,14 @@ double root_between(const std::array<double, N + 1>& c, double a, double fa, dou
         }
         double next = x - v.f / v.slope;
         // Newton may creep along a multiple root: then halving is faster.
-        if (!(next > a && next < b) || std::abs(next - x) > 0.5 * before) next = 0.5 * (a + b);
+        const bool halves = !(next > a && next < b) || std::abs(next - x) > 0.5 * before;
+        if (halves) next = 0.5 * (a + b);
         before = last;
         last = std::abs(next - x);
-        if (last <= eps * std::max(std::abs(next), least) || next == a || next == b) return next;
+        const double enough = eps * std::max(std::abs(next), least);
+        // The step that would follow is too small to matter.
+        const bool settled = !halves && std::abs(v.bend) * last * last <= 0.25 * enough * std::abs(v.slope);
+        if (last <= enough || settled || next == a || next == b) return next;
         x = next;
     }
     return x;

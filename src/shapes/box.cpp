@@ -34,6 +34,7 @@ public:
                 continue;
             }
             const bool down = d[axis] < 0.0;
+            // No reciprocals: a plane in a face of the box is to be met at the very same t.
             const double near = ((down ? hi_ : lo_)[axis] - o[axis]) / d[axis];
             const double far = ((down ? lo_ : hi_)[axis] - o[axis]) / d[axis];
             if (near > t_in || replaces(near, t_in, axis, axis_in, d)) axis_in = axis;
@@ -112,29 +113,31 @@ private:
     /// Moves an origin that lies on faces exactly onto them: their crossing is then at t = 0 and does not
     /// count.
     void put_on_faces(const ShapeRay& query, Vec3& o) const {
-        double nearest = std::numeric_limits<double>::infinity();
-        int nearest_axis = 0;
-        double nearest_value = 0;
+        uint32_t part = 6;
+        if (query.starts_on_surface) part = query.origin_part < 6 ? query.origin_part : nearest_face(o);
         for (int axis = 0; axis < 3; ++axis) {
-            for (const double value : {lo_[axis], hi_[axis]}) {
-                const double distance = std::abs(o[axis] - value);
-                if (distance < nearest) {
-                    nearest = distance;
-                    nearest_axis = axis;
-                    nearest_value = value;
-                }
+            const double low = std::abs(o[axis] - lo_[axis]);
+            const double high = std::abs(o[axis] - hi_[axis]);
+            if (std::min(low, high) > query.origin_error) continue;
+            o[axis] = high <= query.origin_error ? hi_[axis] : lo_[axis];
+        }
+        if (part == 6) return;
+        const int axis = static_cast<int>(part / 2);
+        o[axis] = (part % 2 == 1 ? hi_ : lo_)[axis];
+    }
+
+    uint32_t nearest_face(const Vec3& p) const {
+        double nearest = std::numeric_limits<double>::infinity();
+        uint32_t part = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const bool high : {false, true}) {
+                const double distance = std::abs(p[axis] - (high ? hi_ : lo_)[axis]);
+                if (distance >= nearest) continue;
+                nearest = distance;
+                part = face(axis, high);
             }
         }
-        for (int axis = 0; axis < 3; ++axis) {
-            if (std::abs(o[axis] - lo_[axis]) <= query.origin_error) o[axis] = lo_[axis];
-            if (std::abs(o[axis] - hi_[axis]) <= query.origin_error) o[axis] = hi_[axis];
-        }
-        if (!query.starts_on_surface) return;
-        if (query.origin_part < 6) {
-            nearest_axis = static_cast<int>(query.origin_part / 2);
-            nearest_value = (query.origin_part % 2 == 1 ? hi_ : lo_)[nearest_axis];
-        }
-        o[nearest_axis] = nearest_value;
+        return part;
     }
 
     Vec3 lo_;
