@@ -59,6 +59,7 @@ float SampleDistance::roughly_encoded(float v) const {
 
 bool SampleDistance::at_least(const Radiance& a, const Radiance& b, double threshold) const {
     if (raw_) return (*this)(a, b) >= threshold;
+    if (a.rgb == b.rgb && a.transmit == b.transmit) return threshold <= 0.0;
     float sum = std::abs(a.transmit - b.transmit);
     float size = sum;
     for (int c = 0; c < 3; ++c) {
