@@ -127,6 +127,7 @@ struct channel_word : is<Tok::component> {};
 struct channel : if_must<channel_word, sum> {};
 struct bare_base : seq<full> {};
 struct color
-    : seq<color_begin, opt<color_word, open_next>, opt<sor<rgb_base, channel, bare_base>>, star<channel>> {};
+    : seq<color_begin, sor<seq<color_word, open_next, opt<sor<rgb_base, channel, bare_base>>, star<channel>>,
+                           seq<sor<rgb_base, channel>, star<channel>>>> {};
 
 }  // namespace rb::grammar

@@ -4,7 +4,7 @@
 
 #include <tao/pegtl.hpp>
 
-namespace rb::grammar {
+namespace rb::lexical {
 
 using namespace tao::pegtl;
 
@@ -84,4 +84,4 @@ struct token
     : sor<word, number, number_run, text, open_text, less_equal, greater_equal, not_equal, single_sign> {};
 struct file : until<eof, sor<ignored, token, illegal>> {};
 
-}  // namespace rb::grammar
+}  // namespace rb::lexical

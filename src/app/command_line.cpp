@@ -100,6 +100,8 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
         ->transform(CLI::CheckedTransformer(stages));
     app.add_option("--stats", settings.stats_file,
                    "write statistics as JSON to a file (json or -: standard error)");
+    app.add_option("--max-parse-steps", settings.max_parse_steps,
+                   "tokens after which a scene counts as endless (0: never)");
     bool no_skip = false;
     app.add_flag("--no-skip", no_skip, "do work that the scene does not need, too; same picture");
     app.add_flag("--brute-force", settings.brute_force, "no kD-trees; same picture, slowly");

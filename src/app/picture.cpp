@@ -22,7 +22,12 @@ Pixels picture_of(const Film& film, const std::optional<GammaCurve>& assumed_gam
                   const Settings& settings) {
     const OutputEncoding encoding(assumed_gamma, settings.file_gamma);
     const bool linear = is_linear(settings.file_type);
-    const auto encode = [&](float v) { return linear ? encoding.linear(v) : encoding.encode(v); };
+    std::optional<CodeTable> codes;
+    if (!linear && settings.bits_per_color == 8 && !encoding.passes_unchanged()) codes.emplace(encoding);
+    const auto encode = [&](float v) {
+        if (codes) return static_cast<float>(codes->code(v)) / 255.0f;
+        return linear ? encoding.linear(v) : encoding.encode(v);
+    };
     const bool grayscale =
         settings.grayscale && (settings.file_type == FileType::png || settings.file_type == FileType::ppm);
     const bool has_alpha = settings.alpha && !grayscale && settings.file_type != FileType::jpeg &&

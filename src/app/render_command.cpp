@@ -1,6 +1,7 @@
 #include "app/animation.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/geometry_oracle.h"
 #include "app/picture.h"
 #include "app/statistics.h"
 #include "base/parallel.h"
@@ -33,7 +34,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-LoadOptions load_options(const Settings& settings, const Frame& frame, Console& console) {
+LoadOptions load_options(const Settings& settings, const Frame& frame, Console& console,
+                         GeometryOracle& oracle) {
     LoadOptions options;
     options.input_file = settings.input_file;
     if (settings.input_file == "-") {
@@ -57,6 +59,8 @@ LoadOptions load_options(const Settings& settings, const Frame& frame, Console& 
     options.final_clock = frame.final_clock;
     options.clock_delta = frame.clock_delta;
     options.version = settings.version;
+    options.oracle = &oracle;
+    options.max_tokens = settings.max_parse_steps;
     options.message = [&console](std::string_view, std::string_view text) {
         if (text.ends_with('\n')) text.remove_suffix(1);
         console.line(text);
@@ -147,7 +151,8 @@ void write_picture(const RenderResult& result, const Scene& scene, const Setting
 /// Reads, compiles, renders and writes one picture.
 int render_frame(const Settings& settings, const Frame& frame, Console& console) {
     const RenderOptions options = render_options(settings);
-    const LoadOptions loading = load_options(settings, frame, console);
+    ProbeOracle oracle;
+    const LoadOptions loading = load_options(settings, frame, console, oracle);
 
     Statistics statistics;
     auto start = std::chrono::steady_clock::now();
@@ -169,6 +174,8 @@ int render_frame(const Settings& settings, const Frame& frame, Console& console)
 
     start = std::chrono::steady_clock::now();
     console.banner("Rendering");
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
     const RenderResult result = render(world, options, stop_requested,
                                        [&](size_t done, size_t total) { console.progress(done, total); });
     console.end_progress();
@@ -187,11 +194,11 @@ int run_render(const Settings& settings) {
     Console console(settings.verbose);
     for (const std::string& text : settings.without_effect) console.line(fmt::format("warning: {}", text));
     const std::vector<Frame> frames = frames_of(settings);
-    if (settings.dump != DumpStage::none)
-        return dump_stage(settings, load_options(settings, frames.front(), console));
+    if (settings.dump != DumpStage::none) {
+        ProbeOracle oracle;
+        return dump_stage(settings, load_options(settings, frames.front(), console, oracle));
+    }
     stop_requested.store(false);
-    std::signal(SIGINT, on_signal);
-    std::signal(SIGTERM, on_signal);
     for (const Frame& frame : frames) {
         const int code = render_frame(settings, frame, console);
         if (code == exit_stopped) console.line("Render cancelled by user\n");

@@ -3,6 +3,7 @@
 #include "image/file.h"
 #include "render/render.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -72,6 +73,8 @@ struct Settings {
     double tessellation_error = 0.05;
     bool skip_unneeded = true;
     bool brute_force = false;
+    /// Tokens that a scene may take before it counts as a loop without end; minutes of parsing.
+    uint64_t max_parse_steps = 10'000'000'000;
     DumpStage dump = DumpStage::none;
     std::optional<std::string> stats_file;  ///< "-" writes to standard error
 

@@ -57,6 +57,9 @@ using Thing = std::variant<std::monostate, ObjectPtr, TexturePtr, PigmentPtr, No
                            NormalMapPtr, TextureMapPtr, SlopeMapPtr, std::shared_ptr<const Fog>,
                            std::shared_ptr<const SkySphere>, FunctionPtr, ParsedOnlyPtr>;
 
+/// "object identifier", "texture identifier", ...: the language's name of the kind.
+std::string kind_name(const Thing& thing);
+
 struct Block;
 
 /// One item of a block, in written order.
@@ -76,8 +79,8 @@ struct Item {
     int terms = 0;
     bool bracketed = false;  ///< numbers: one `<...>` of more than five values (matrix, quartic), terms is 1
     std::shared_ptr<const WrittenColor> color;
-    std::shared_ptr<const std::string>
-        raw;  ///< text: the literal with its escapes, for file names; null if equal
+    std::shared_ptr<const std::string> raw;  ///< text: the literal with its escapes, for file names; null if
+                                             ///< equal bad: a hint to add to the message
     Thing thing;
     std::shared_ptr<const Block> block;
 };

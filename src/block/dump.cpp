@@ -42,7 +42,33 @@ std::string color_text(const WrittenColor& color) {
     return out;
 }
 
+struct ThingName {
+    std::string operator()(std::monostate) const { return "undeclared identifier"; }
+    std::string operator()(const ObjectPtr&) const { return "object identifier"; }
+    std::string operator()(const TexturePtr&) const { return "texture identifier"; }
+    std::string operator()(const PigmentPtr&) const { return "pigment identifier"; }
+    std::string operator()(const NormalPtr&) const { return "normal identifier"; }
+    std::string operator()(const FinishPtr&) const { return "finish identifier"; }
+    std::string operator()(const InteriorPtr&) const { return "interior identifier"; }
+    std::string operator()(const std::shared_ptr<const Material>&) const { return "material identifier"; }
+    std::string operator()(const std::shared_ptr<const Camera>&) const { return "camera identifier"; }
+    std::string operator()(const std::shared_ptr<const Transform>&) const { return "transform identifier"; }
+    std::string operator()(const std::shared_ptr<const ColorMap>&) const { return "color_map identifier"; }
+    std::string operator()(const PigmentMapPtr&) const { return "pigment_map identifier"; }
+    std::string operator()(const NormalMapPtr&) const { return "normal_map identifier"; }
+    std::string operator()(const TextureMapPtr&) const { return "texture_map identifier"; }
+    std::string operator()(const SlopeMapPtr&) const { return "slope_map identifier"; }
+    std::string operator()(const std::shared_ptr<const Fog>&) const { return "fog identifier"; }
+    std::string operator()(const std::shared_ptr<const SkySphere>&) const { return "sky_sphere identifier"; }
+    std::string operator()(const FunctionPtr& f) const {
+        return f && f->result_count() > 1 ? "vector function identifier" : "float function identifier";
+    }
+    std::string operator()(const ParsedOnlyPtr& p) const { return p->keyword + " identifier"; }
+};
+
 }  // namespace
+
+std::string kind_name(const Thing& thing) { return std::visit(ThingName{}, thing); }
 
 std::string dump(const Block& block, int indent) {
     const std::string pad(static_cast<size_t>(indent) * 2, ' ');

@@ -171,6 +171,11 @@ const Block& BlockReader::block(std::string_view keyword) {
     return inner;
 }
 
+void BlockReader::fail(std::string message) const {
+    if (!at_end() && item().kind == Item::Kind::bad && item().raw) message += *item().raw;
+    fail_at(where(), std::move(message));
+}
+
 void BlockReader::fail_at(SourceRange where, std::string message) const {
     throw SceneError(where, std::move(message));
 }
@@ -184,13 +189,14 @@ std::string BlockReader::found() const {
     if (at_end()) return "}";
     switch (item().kind) {
         case Item::Kind::numbers:
-            return "numeric expression";
+            if (!item().text.empty()) return item().text;
+            return item().terms == 1 ? "float function 'float constant'" : "<";
         case Item::Kind::color:
             return "color expression";
         case Item::Kind::text:
             return "string";
         case Item::Kind::thing:
-            return fmt::format("identifier '{}'", item().text);
+            return kind_name(item().thing);
         case Item::Kind::block:
             return item().block->keyword;
         case Item::Kind::word:

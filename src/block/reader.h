@@ -69,7 +69,8 @@ public:
     }
     const Block& block(std::string_view keyword);
 
-    [[noreturn]] void fail(std::string message) const { fail_at(where(), std::move(message)); }
+    /// At the next item, with its hint if it is a word that nobody knows.
+    [[noreturn]] void fail(std::string message) const;
     [[noreturn]] void fail_at(SourceRange where, std::string message) const;
     /// "No matching } in 'box', undeclared identifier 'foo' found instead", unless everything was taken.
     void finish() const;

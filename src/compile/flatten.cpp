@@ -159,7 +159,7 @@ void Flattener::add_solid(const Object& object, const Inherited& from) {
     const uint32_t node = build(object, from, false, no_node);
     if (node == no_node) return;
     flat_.solids.set_regions(node);
-    flat_.tops.push_back({node, slot});
+    flat_.tops.push_back({node, slot, {}});
     draft_->tops.push_back(std::move(draft_->leaves));
     draft_->leaves.clear();
 }
@@ -370,6 +370,7 @@ FlatGeometry Flattener::finish() {
     for (size_t i = 0; i < draft_->tops.size(); ++i) {
         for (const Leaf& leaf : draft_->tops[i]) {
             boxes[i].push_back(cut_box(flat_.solids, leaf));
+            flat_.tops[i].box.include(boxes[i].back());
             if (!boxes[i].back().is_empty() && !boxes[i].back().is_finite()) infinite[i] = true;
         }
         order.push_back(i);

@@ -8,6 +8,7 @@ namespace rb {
 struct TopSolid {
     uint32_t node = 0;
     uint32_t interior = 0;  ///< index into World::interiors
+    Bounds box;  ///< of its surfaces; the language takes nothing outside for inside (a disc's half-space)
 };
 
 /// What flattening makes: leaves with their boxes, and the solids that decide which of their crossings count.

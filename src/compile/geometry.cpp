@@ -204,7 +204,8 @@ std::vector<uint32_t> Geometry::interiors_at(const Vec3& p) const {
     std::vector<uint32_t> out;
     const SolidForest& solids = parts->flat.solids;
     for (const TopSolid& top : parts->flat.tops) {
-        if (solids.nodes[top.node].region.contains(p) && solids.inside_unclipped(top.node, p)) {
+        if (top.box.contains(p) && solids.nodes[top.node].region.contains(p) &&
+            solids.inside_unclipped(top.node, p)) {
             out.push_back(top.interior);
         }
     }

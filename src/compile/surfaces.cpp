@@ -77,8 +77,8 @@ bool SurfaceTable::same_everywhere(const TexturePtr& texture) {
     for (const Texture& layer : *texture) {
         const bool plain = !layer.is_patterned() && !layer.normal &&
                            !std::holds_alternative<PatternPtr>(layer.pigment->source) &&
-                           !layer.pigment->average &&
-                           layer.finish->irid_amount == 0.0f && layer.finish->crand == 0.0f;
+                           !layer.pigment->average && layer.finish->irid_amount == 0.0f &&
+                           layer.finish->crand == 0.0f;
         if (!plain) at->second = false;
     }
     return at->second;

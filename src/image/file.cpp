@@ -95,9 +95,11 @@ Samples quantise(const Pixels& pixels, const OutputFormat& format) {
     const auto levels = static_cast<float>((1 << bits) - 1);
     // Fewer bits than stored: the levels are spread over the stored range.
     const float spread = (wide ? 65535.0f : 255.0f) / levels;
+    // Values are not negative, so that truncation is floor.
     const auto level = [&](float v) {
         const float clamped = v > 0.0f ? std::min(v, 1.0f) : 0.0f;  // NaN becomes 0
-        return std::floor(std::floor(clamped * levels + 0.5f) * spread + 0.5f);
+        const auto code = static_cast<int>(clamped * levels + 0.5f);
+        return spread == 1.0f ? code : static_cast<int>(static_cast<float>(code) * spread + 0.5f);
     };
     if (wide) {
         out.words.resize(pixels.values.size());

@@ -1,6 +1,10 @@
 #pragma once
 #include "scene/scene.h"
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace rb {
 
 /// sRGB transfer curve (IEC 61966-2-1), linear to encoded and back; negative values stay linear.
@@ -43,6 +47,18 @@ private:
     Curve working_;
     Curve file_;
     bool passes_ = false;
+};
+
+/// 8-bit codes without a power function per value: exactly floor(encode(v) * 255 + 0.5), found among the 255
+/// values at which the code changes. Its slow twin is OutputEncoding::encode.
+class CodeTable {
+public:
+    explicit CodeTable(const OutputEncoding& encoding);
+    int code(float working) const;
+
+private:
+    std::array<float, 257> change_;  ///< smallest value with at least code k
+    std::vector<uint8_t> first_;     ///< a code to start from, by the upper half of the value's bits
 };
 
 /// "2.2" or "sRGB" (any case) as an option or the scene writes it; empty if neither.

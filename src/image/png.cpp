@@ -65,7 +65,9 @@ void write_png(const Samples& samples, const OutputFormat& format, const std::st
                  static_cast<png_uint_32>(samples.height), wide ? 16 : 8, color, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     write_gamma(writer, format);
-    // Level 3 is three times as fast as the default 6 and costs about 5 % in size on rendered pictures.
+    // On rendered pictures one fixed filter and level 3 cost a third of the defaults' time for 5 % more
+    // bytes.
+    png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_set_compression_level(writer.png, 3);
     png_write_info(writer.png, writer.info);
     if (wide && std::endian::native == std::endian::little) png_set_swap(writer.png);

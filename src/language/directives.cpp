@@ -13,7 +13,18 @@ void TokenStream::execute(uint32_t word, SourceRange where, uint32_t hash) {
     const bool waiting = before_first_case_;
     const size_t conds = conds_.size();
     before_first_case_ = false;
-    dispatch(word, where, hash);
+    const size_t frame = frames_.size();
+    try {
+        dispatch(word, where, hash);
+    } catch (const SceneError&) {
+        // A conditional, loop or macro whose head is wrong is left out as a whole.
+        const bool opens = Words::is_keyword(word) && opens_branches(static_cast<Keyword>(word));
+        if (opens && frames_.size() == frame && token_at(hash).aux > hash) {
+            pushback_.clear();
+            jump(end_of(hash, where) + 2);
+        }
+        throw;
+    }
     const bool decides = word == word_of(Keyword::case_) || word == word_of(Keyword::range);
     if (waiting && !decides && conds_.size() >= conds) before_first_case_ = true;
 }
@@ -234,12 +245,9 @@ void TokenStream::do_if(uint32_t hash, SourceRange where) {
     if (conds_.size() >= 200) session_.fail(where, "Too many nested conditionals or loops.");
     const size_t frame = frames_.size();
     double value = 0;
-    try {
+    {
         Parser parser(session_);
         value = parser.condition();
-    } catch (const SceneError&) {
-        if (frames_.size() == frame && token_at(hash).aux != 0) jump(end_of(hash, where) + 2);
-        throw;
     }
     if (frames_.size() != frame) session_.fail(where, "#if did not end in the file where it started.");
     Cond cond;
@@ -374,7 +382,6 @@ void TokenStream::do_macro(uint32_t hash, SourceRange where) {
     try {
         read_macro_head(*macro);
     } catch (const SceneError&) {
-        jump(end + 2);
         if (!session_.symbols.find(name)) session_.symbols.create_global(name)->value = Poison{};
         throw;
     }

@@ -72,7 +72,7 @@ template <class Rule>
 struct action : pegtl::nothing<Rule> {};
 
 template <>
-struct action<grammar::word> {
+struct action<lexical::word> {
     template <class In>
     static void apply(const In& in, Lexer& lexer) {
         if (in.size() > 255) {
@@ -84,7 +84,7 @@ struct action<grammar::word> {
 };
 
 template <>
-struct action<grammar::second_point> {
+struct action<lexical::second_point> {
     template <class In>
     static void apply(const In& in, Lexer& lexer) {
         lexer.error(in.begin(), in.end(), "Unexpected additional '.' in floating-point number");
@@ -92,7 +92,7 @@ struct action<grammar::second_point> {
 };
 
 template <>
-struct action<grammar::number> {
+struct action<lexical::number> {
     template <class In>
     static void apply(const In& in, Lexer& lexer) {
         lexer.add_number({in.begin(), in.size()});
@@ -100,7 +100,7 @@ struct action<grammar::number> {
 };
 
 template <>
-struct action<grammar::text> {
+struct action<lexical::text> {
     template <class In>
     static void apply(const In& in, Lexer& lexer) {
         // The raw characters between the quotes count.
@@ -113,7 +113,7 @@ struct action<grammar::text> {
 };
 
 template <>
-struct action<grammar::open_text> {
+struct action<lexical::open_text> {
     template <class In>
     static void apply(const In& in, Lexer& lexer) {
         lexer.error(in.begin(), in.begin() + 1, "No end quote for string.");
@@ -121,7 +121,7 @@ struct action<grammar::open_text> {
 };
 
 template <>
-struct action<grammar::open_comment> {
+struct action<lexical::open_comment> {
     template <class In>
     static void apply(const In& in, Lexer& lexer) {
         lexer.error(in.begin(), in.begin() + 2, "No */ closing comment found.");
@@ -129,7 +129,7 @@ struct action<grammar::open_comment> {
 };
 
 template <>
-struct action<grammar::illegal> {
+struct action<lexical::illegal> {
     template <class In>
     static void apply(const In& in, Lexer& lexer) {
         lexer.error(in.begin(), in.end(),
@@ -139,7 +139,7 @@ struct action<grammar::illegal> {
 };
 
 template <>
-struct action<grammar::single_sign> {
+struct action<lexical::single_sign> {
     template <class In>
     static void apply(const In& in, Lexer& lexer) {
         lexer.add(sign_kind(in.peek_char()), in.begin(), in.end());
@@ -154,11 +154,11 @@ struct add_sign {
     }
 };
 template <>
-struct action<grammar::less_equal> : add_sign<Tok::less_equal> {};
+struct action<lexical::less_equal> : add_sign<Tok::less_equal> {};
 template <>
-struct action<grammar::greater_equal> : add_sign<Tok::greater_equal> {};
+struct action<lexical::greater_equal> : add_sign<Tok::greater_equal> {};
 template <>
-struct action<grammar::not_equal> : add_sign<Tok::not_equal> {};
+struct action<lexical::not_equal> : add_sign<Tok::not_equal> {};
 
 bool continues(Keyword word, Keyword opener) {
     if (word == Keyword::else_) {
@@ -217,7 +217,7 @@ TokenFilePtr lex(uint32_t file, std::string_view text, Words& words, const LexOp
     Lexer lexer(*out, words, options.runs);
     pegtl::memory_input<pegtl::tracking_mode::lazy, pegtl::eol::lf_crlf, std::string_view> in(
         text.data() + begin, text.data() + end, std::string_view{});
-    pegtl::parse<grammar::file, action>(in, lexer);
+    pegtl::parse<lexical::file, action>(in, lexer);
     out->tokens.push_back({static_cast<uint32_t>(end), 0, 0, Tok::end});
     link_branches(*out);
     return out;

@@ -353,19 +353,22 @@ struct action<grammar::f_both> : on_chain<'&', '&'> {};
 template <>
 struct action<grammar::f_either> : on_chain<'|', '|'> {};
 
-/// What a rule that must match is called in a message.
+/// What a rule that must match is called in a message: its sign, or what can stand for most rules.
 template <class Rule>
-inline constexpr const char* expected_text = "numeric expression";
-template <>
-inline constexpr const char* expected_text<grammar::paren_open> = "(";
-template <>
-inline constexpr const char* expected_text<grammar::body_open> = "{";
-template <>
-inline constexpr const char* expected_text<grammar::component_name> =
-    "x, y, z, u, v, t, red, green, blue, filter, "
-    "transmit or gray";
-template <>
-inline constexpr const char* expected_text<grammar::choice_colon> = ":";
+constexpr std::string_view expected_text() {
+    if constexpr (std::is_base_of_v<grammar::is<Tok::rparen>, Rule>) return ")";
+    if constexpr (std::is_base_of_v<grammar::is<Tok::lparen>, Rule>) return "(";
+    if constexpr (std::is_base_of_v<grammar::is<Tok::rbracket>, Rule>) return "]";
+    if constexpr (std::is_base_of_v<grammar::is<Tok::rbrace>, Rule>) return "}";
+    if constexpr (std::is_base_of_v<grammar::is<Tok::lbrace>, Rule>) return "{";
+    if constexpr (std::is_base_of_v<grammar::is<Tok::rangle>, Rule>) return ">";
+    if constexpr (std::is_base_of_v<grammar::is<Tok::colon>, Rule>) return ":";
+    if constexpr (std::is_same_v<Rule, grammar::component_name> ||
+                  std::is_same_v<Rule, grammar::f_component_name>) {
+        return "x, y, z, u, v, t, red, green, blue, filter, transmit or gray";
+    }
+    return "numeric expression";
+}
 
 template <class Rule>
 struct control : tao::pegtl::normal<Rule> {
@@ -374,7 +377,12 @@ struct control : tao::pegtl::normal<Rule> {
         const Session& session = state.session();
         const Produced& token = in.current();
         std::string message =
-            fmt::format("Expected '{}', {} found instead", expected_text<Rule>, found_text(session, token));
+            fmt::format("Expected '{}', {} found instead", expected_text<Rule>(), found_text(session, token));
+        if constexpr (std::is_same_v<Rule, grammar::block_close> ||
+                      std::is_same_v<Rule, grammar::entry_close>) {
+            message = fmt::format("No matching }} in '{}', {} found instead", state.open_keyword(),
+                                  found_text(session, token));
+        }
         if (token.kind == Tok::undeclared) message += session.hint(session.words.spelling(token.word));
         session.fail(token.where, std::move(message));
     }

@@ -163,8 +163,7 @@ void ParseState::add_numbers(const Operand& operand) {
 
 void ParseState::add_value() {
     const Operand operand = pop();
-    if (const auto* terms = std::get_if<Terms>(&operand.value)) {
-        (void)terms;
+    if (std::holds_alternative<Terms>(operand.value)) {
         add_numbers(operand);
         if (blocks_.back().same_shape > 0 && blocks_.back().same_shape < 8) {
             open().items.back().text = found_value(session_, operand.where);
@@ -244,7 +243,9 @@ void ParseState::add_function() {
 void ParseState::add_stray(const Produced& token) {
     Item& item = new_item(Item::Kind::bad, token.where);
     item.text = found_text(session_, token);
-    if (token.kind == Tok::undeclared) item.text += session_.hint(session_.words.spelling(token.word));
+    if (token.kind != Tok::undeclared) return;
+    std::string hint = session_.hint(session_.words.spelling(token.word));
+    if (!hint.empty()) item.raw = std::make_shared<const std::string>(std::move(hint));
 }
 
 }  // namespace rb

@@ -59,8 +59,10 @@ bool Parser::at_word(Keyword word) { return input_->at_keyword(word); }
 
 void Parser::fail_expected(std::string_view expected) {
     const Produced& token = input_->peek();
-    session_.fail(token.where,
-                  fmt::format("Expected '{}', {} found instead", expected, found_text(session_, token)));
+    std::string message =
+        fmt::format("Expected '{}', {} found instead", expected, found_text(session_, token));
+    if (token.kind == Tok::undeclared) message += session_.hint(session_.words.spelling(token.word));
+    session_.fail(token.where, std::move(message));
 }
 
 void Parser::expect(Tok kind, std::string_view spelling) {
@@ -105,6 +107,10 @@ Operand Parser::rvalue() {
     }
     Operand operand = state.pop();
     if (operand.pending_dimension != 0) fail_expected("[");
+    const auto* array = std::get_if<ArrayPtr>(&operand.value);
+    if (array && (*array)->sizes.empty()) {
+        session_.fail(operand.where, "Expected '>': a vector has at most five components.");
+    }
     return operand;
 }
 

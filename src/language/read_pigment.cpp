@@ -19,19 +19,20 @@ Color entry_color(BlockReader& in) {
     return in.full_color();
 }
 
+/// Equal neighbours count once.
+void add_entry(ColorMap& map, float position, const Color& color) {
+    if (!map.empty() && map.back().position == position && map.back().value == color) return;
+    map.push_back({position, color});
+}
+
 void read_color_entry(BlockReader& in, ColorMap& map) {
     const auto first = static_cast<float>(in.number());
     if (in.at_number() && in.peek().terms == 1) {
         const auto second = static_cast<float>(in.number());
-        map.push_back({first, in.full_color()});
-        map.push_back({second, in.full_color()});
+        add_entry(map, first, in.full_color());
+        add_entry(map, second, in.full_color());
     } else {
-        map.push_back({first, entry_color(in)});
-    }
-    // Equal neighbours count once.
-    while (map.size() >= 2 && map.back().position == map[map.size() - 2].position &&
-           map.back().value == map[map.size() - 2].value) {
-        map.pop_back();
+        add_entry(map, first, entry_color(in));
     }
 }
 

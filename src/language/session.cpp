@@ -101,6 +101,7 @@ std::optional<std::string> find_file(const Session& session, const std::string& 
 }
 
 std::string Session::hint(std::string_view word) const {
+    if (word.size() < 4) return {};
     std::vector<std::string_view> candidates;
     for (uint32_t visible : symbols.visible()) candidates.push_back(words.spelling(visible));
     for (std::string_view spelling : keyword_spellings) candidates.push_back(spelling);

@@ -67,7 +67,6 @@ struct Session {
     /// Lexes each file once.
     TokenFilePtr tokens_of(const std::string& path);
     std::map<std::string, TokenFilePtr> files;
-    std::map<std::string, std::shared_ptr<std::string>> written;
 
     [[noreturn]] void fail(SourceRange where, std::string message) const {
         throw SceneError(where, std::move(message));

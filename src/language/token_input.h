@@ -39,7 +39,7 @@ public:
     const Produced& peek() {
         if (at_ == produced_) {
             produce();
-        } else if (at_ + 1 == produced_ && session_.stream.is_pending(last())) {
+        } else if (at_ + 1 == produced_ && last().waiting && session_.stream.is_pending(last())) {
             // A directive or macro that was only looked at runs now.
             session_.stream.give_back(std::move(ring_[--produced_ % kept]));
             produce();

@@ -40,6 +40,7 @@ Produced TokenStream::next() {
         }
         if (token.kind == Tok::hash) {
             Produced hash{Tok::hash, index, 0, range(token), {}};
+            hash.waiting = locked;
             if (locked) return hash;
             run_hash(hash);
             continue;
@@ -54,6 +55,7 @@ Produced TokenStream::next() {
 }
 
 bool TokenStream::is_pending(const Produced& token) const {
+    if (!token.waiting) return false;
     if (token.kind == Tok::hash) return !locked;
     return token.kind == Tok::name && !quiet && std::holds_alternative<MacroPtr>(token.place.value());
 }
@@ -91,6 +93,7 @@ bool TokenStream::resolve(const Token& token, Produced& out) {
             call(*macro, out.where);
             return false;
         }
+        out.waiting = quiet && std::holds_alternative<MacroPtr>(out.place.value());
         return true;
     }
     if (token.kind == Tok::invalid) {
@@ -177,8 +180,9 @@ void TokenStream::call(const MacroPtr& macro, SourceRange where) {
             arguments.push_back(parser.rvalue());
             // Only a numeric expression keeps the lock on what follows it.
             parser.lock(std::holds_alternative<Terms>(arguments.back().value));
+            if (parser.peek().kind == Tok::hash) parser.fail_expected(")");
             parser.take_if(Tok::comma);
-            if (parser.peek().kind != Tok::rparen) parser.lock(false);
+            parser.lock(false);
         }
         parser.expect(Tok::rparen, ")");
     }
@@ -279,8 +283,22 @@ std::vector<Diagnostic> TokenStream::trail() const {
 
 void TokenStream::mark() { open_braces_ = 0; }
 
-void TokenStream::recover() {
+/// What was looked at but not used is read again.
+void TokenStream::rewind_pushback() {
+    for (const Produced& token : pushback_) {
+        if (token.kind == Tok::lbrace) --open_braces_;
+        if (token.kind == Tok::rbrace) ++open_braces_;
+        if (frames_.empty() || token.where.file != top().tokens->file) continue;
+        const auto& tokens = top().tokens->tokens;
+        const auto at = std::lower_bound(tokens.begin(), tokens.end(), token.where.begin,
+                                         [](const Token& t, uint32_t begin) { return t.begin < begin; });
+        top().at = std::min(top().at, static_cast<uint32_t>(at - tokens.begin()));
+    }
     pushback_.clear();
+}
+
+void TokenStream::recover() {
+    rewind_pushback();
     locked = quiet = before_first_case_ = false;
     // Leave macro calls: the statement that called them is lost.
     while (frames_.size() > 1 && top().kind != Frame::Kind::file) {

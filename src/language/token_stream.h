@@ -17,7 +17,8 @@ struct Produced {
     uint32_t word = 0;  ///< word's number; index of a `#` in its file; terms of a run
     double number = 0;
     SourceRange where;
-    Place place;  ///< what a `name` stands for
+    Place place;           ///< what a `name` stands for
+    bool waiting = false;  ///< a `#` or macro name that was handed on as a token: it runs when that is over
 };
 
 /// The tokens of a scene in the order of execution: a stack of frames (files, macro calls, expanded lists),
@@ -84,6 +85,7 @@ private:
     Frame& top() { return frames_.back(); }
     const Token& token_at(uint32_t index) { return top().tokens->tokens[index]; }
     void close_frame();
+    void rewind_pushback();
     void run_hash(const Produced& hash);
     /// Without looking further, so that no directive runs.
     bool take_semicolon();

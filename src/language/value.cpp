@@ -6,30 +6,6 @@ namespace rb {
 
 namespace {
 
-struct ThingName {
-    std::string operator()(std::monostate) const { return "undeclared identifier"; }
-    std::string operator()(const ObjectPtr&) const { return "object identifier"; }
-    std::string operator()(const TexturePtr&) const { return "texture identifier"; }
-    std::string operator()(const PigmentPtr&) const { return "pigment identifier"; }
-    std::string operator()(const NormalPtr&) const { return "normal identifier"; }
-    std::string operator()(const FinishPtr&) const { return "finish identifier"; }
-    std::string operator()(const InteriorPtr&) const { return "interior identifier"; }
-    std::string operator()(const std::shared_ptr<const Material>&) const { return "material identifier"; }
-    std::string operator()(const std::shared_ptr<const Camera>&) const { return "camera identifier"; }
-    std::string operator()(const std::shared_ptr<const Transform>&) const { return "transform identifier"; }
-    std::string operator()(const std::shared_ptr<const ColorMap>&) const { return "color_map identifier"; }
-    std::string operator()(const PigmentMapPtr&) const { return "pigment_map identifier"; }
-    std::string operator()(const NormalMapPtr&) const { return "normal_map identifier"; }
-    std::string operator()(const TextureMapPtr&) const { return "texture_map identifier"; }
-    std::string operator()(const SlopeMapPtr&) const { return "slope_map identifier"; }
-    std::string operator()(const std::shared_ptr<const Fog>&) const { return "fog identifier"; }
-    std::string operator()(const std::shared_ptr<const SkySphere>&) const { return "sky_sphere identifier"; }
-    std::string operator()(const FunctionPtr& f) const {
-        return f && f->result_count() > 1 ? "vector function identifier" : "float function identifier";
-    }
-    std::string operator()(const ParsedOnlyPtr& p) const { return p->keyword + " identifier"; }
-};
-
 struct ValueName {
     std::string operator()(std::monostate) const { return "undeclared identifier"; }
     std::string operator()(const Terms& t) const {
@@ -42,7 +18,7 @@ struct ValueName {
     std::string operator()(const SplinePtr&) const { return "spline identifier"; }
     std::string operator()(const MacroPtr&) const { return "macro identifier"; }
     std::string operator()(const OpenFilePtr&) const { return "file identifier"; }
-    std::string operator()(const Thing& thing) const { return std::visit(ThingName{}, thing); }
+    std::string operator()(const Thing& thing) const { return kind_name(thing); }
     std::string operator()(Poison) const { return "undeclared identifier"; }
 };
 

@@ -1,7 +1,8 @@
 #include "math/jitter.h"
 
+#include "math/shuffle.h"
+
 #include <array>
-#include <utility>
 
 namespace rb {
 
@@ -43,32 +44,14 @@ constexpr std::array<float, 256> jitter_table{
     -0.484344f, 0.021484f,  0.027344f,  -0.474579f, 0.007813f,  -0.486298f, -0.496063f, 0.001953f,
 };
 
-std::array<uint16_t, 4096> make_hash() {
-    std::array<uint16_t, 4096> table{};
-    for (size_t i = 0; i < table.size(); ++i) table[i] = static_cast<uint16_t>(i);
-    uint32_t state = 0;
-    for (size_t i = table.size(); i-- > 0;) {
-        state = state * 1812433253u + 12345u;
-        std::swap(table[i], table[((state >> 16) & 0x7fffu) % 4096u]);
-    }
-    return table;
-}
-
-const std::array<uint16_t, 4096>& hash_table() {
-    static const std::array<uint16_t, 4096> table = make_hash();
-    return table;
-}
-
 double jitter_component(double a, double b) {
-    const auto& hash = hash_table();
+    const ShuffledHash& hash = shuffled_hash;
     const auto first = static_cast<uint32_t>(static_cast<int32_t>(a)) & 4095u;
     const auto second = static_cast<uint32_t>(static_cast<int32_t>(b));
     return static_cast<double>(jitter_table[hash[(hash[first] ^ second) & 4095u] & 255u]);
 }
 
 }  // namespace
-
-uint32_t shuffled_hash(uint32_t index) { return hash_table()[index & 4095u]; }
 
 Vec2 position_jitter(double x, double y) {
     return {jitter_component(x * 1021.0, y * 1019.0), jitter_component(x * 1019.0, y * 1021.0)};

@@ -5,10 +5,6 @@
 
 namespace rb {
 
-/// The language's shuffled identity of 4096 entries, on which noise, antialiasing jitter and focal blur rest
-/// (textures spec 1.1). `index` is taken modulo 4096.
-uint32_t shuffled_hash(uint32_t index);
-
 /// The reference's repeatable jitter at a picture position: both components in [-0.5, 0.5) (shading
 /// spec 12.2).
 Vec2 position_jitter(double x, double y);

@@ -1,8 +1,7 @@
 // checker COLOR, COLOR   (manual 3.4.7.1.4): unit cubes of two kinds in turn.
-#include "patterns/registry.h"
+#include "patterns/formula.h"
 
 #include <array>
-#include <cmath>
 
 namespace rb {
 
@@ -17,8 +16,8 @@ public:
         for (size_t i = 0; i < points.size(); ++i) {
             const Vec3& p = points[i];
             const double cell =
-                std::floor(p.x + epsilon) + std::floor(p.y + epsilon) + std::floor(p.z + epsilon);
-            values[i] = std::fmod(cell, 2.0) != 0.0 ? 1.0 : 0.0;
+                whole_part(p.x + epsilon) + whole_part(p.y + epsilon) + whole_part(p.z + epsilon);
+            values[i] = is_odd(cell) ? 1.0 : 0.0;
         }
     }
 };

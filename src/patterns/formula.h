@@ -2,6 +2,7 @@
 #include "patterns/registry.h"
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include <fmt/format.h>
@@ -11,6 +12,17 @@ namespace rb {
 // The small functions that the pattern formulas share (spec: textures 0).
 
 inline double clamp01(double v) { return v < 0.0 ? 0.0 : (v > 1.0 ? 1.0 : v); }
+/// floor() without the call; a zero may lose its sign.
+inline double whole_part(double v) {
+    if (!(std::abs(v) < 1e15)) return std::floor(v);
+    const auto whole = static_cast<double>(static_cast<int64_t>(v));
+    return whole > v ? whole - 1.0 : whole;
+}
+/// Of a whole number; one that is no number counts as odd.
+inline bool is_odd(double whole) {
+    if (!(std::abs(whole) < 1e15)) return std::fmod(whole, 2.0) != 0.0;
+    return (static_cast<int64_t>(whole) & 1) != 0;
+}
 inline double fraction(double v) { return v - std::floor(v); }
 /// floor, but one less on negative whole numbers.
 inline double floor_below(double v) { return v >= 0.0 ? std::floor(v) : -std::floor(-v) - 1.0; }

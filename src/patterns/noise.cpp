@@ -281,8 +281,7 @@ std::span<const WaveSource> wave_sources(int count) {
         sources.clear();
         auto state = static_cast<uint32_t>(-560851967);
         for (size_t i = 0; i < wanted; ++i) {
-            state = state * 1812433253u + 12345u;
-            const double draw = (state >> 16) & 0x7FFFu;
+            const double draw = lcg_step(state);
             sources.push_back({glm::normalize(vector_noise({static_cast<double>(i), 0.0, 0.0})),
                                draw * 0.000030518509476 + 0.01});
         }

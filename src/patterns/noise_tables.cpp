@@ -9,26 +9,7 @@ namespace rb {
 
 namespace {
 
-/// One step of the linear congruential generator behind all tables; returns the 15 bits that are used.
-constexpr uint32_t step(uint32_t& state) {
-    state = state * 1812433253u + 12345u;
-    return (state >> 16) & 0x7FFFu;
-}
-
-constexpr HashTable shuffled_identity() {
-    HashTable table{};
-    for (uint32_t i = 0; i < 4096; ++i) table[i] = static_cast<uint16_t>(i);
-    uint32_t state = 0;
-    for (size_t i = 4096; i-- > 0;) {
-        const size_t j = step(state) & 4095u;
-        const uint16_t kept = table[i];
-        table[i] = table[j];
-        table[j] = kept;
-    }
-    return table;
-}
-
-constexpr std::array<uint8_t, 4096> low_bytes(const HashTable& table) {
+constexpr std::array<uint8_t, 4096> low_bytes(const ShuffledHash& table) {
     std::array<uint8_t, 4096> bytes{};
     for (size_t i = 0; i < 4096; ++i) bytes[i] = static_cast<uint8_t>(table[i] & 255u);
     return bytes;
@@ -42,7 +23,7 @@ GradientTables make_gradients() {
         double length_squared = 0;
         do {
             for (int axis = 0; axis < 3; ++axis) {
-                g[axis] = (static_cast<double>(step(state) & 4095u) - 2048.0) / 2048.0;
+                g[axis] = (static_cast<double>(lcg_step(state) & 4095u) - 2048.0) / 2048.0;
             }
             length_squared = glm::dot(g, g);
         } while (length_squared > 1.0 || length_squared < 1e-5);
@@ -53,7 +34,7 @@ GradientTables make_gradients() {
     for (size_t i = 0; i < n; ++i) p[i] = static_cast<uint16_t>(i);
     for (size_t i = n; i >= 2; i -= 2) {
         const uint16_t kept = p[i];
-        const size_t j = step(state) % n;
+        const size_t j = lcg_step(state) % n;
         p[i] = p[j];
         p[j] = kept;
     }
@@ -63,8 +44,7 @@ GradientTables make_gradients() {
 
 }  // namespace
 
-constinit const HashTable hash_table = shuffled_identity();
-constinit const std::array<uint8_t, 4096> hash_bytes = low_bytes(shuffled_identity());
+constinit const std::array<uint8_t, 4096> hash_bytes = low_bytes(shuffled_hash);
 
 constinit const std::array<double, 267> value_table{
     // clang-format off

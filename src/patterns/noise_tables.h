@@ -1,4 +1,5 @@
 #pragma once
+#include "math/shuffle.h"
 #include "math/vec.h"
 
 #include <array>
@@ -8,8 +9,7 @@ namespace rb {
 
 /// The shuffled numbers 0..4095 that choose values at lattice points. All tables here are part of the
 /// language's pictures: every scene depends on them.
-using HashTable = std::array<uint16_t, 4096>;
-extern const HashTable hash_table;
+inline constexpr const ShuffledHash& hash_table = shuffled_hash;
 /// The low eight bits of `hash_table`.
 extern const std::array<uint8_t, 4096> hash_bytes;
 

@@ -9,6 +9,15 @@
 
 namespace rb {
 
+namespace {
+
+constexpr uint32_t table_shift =
+    17;  ///< 64 entries per power of two, linear between them: 4e-5 off at the most
+constexpr float table_least = 0x1p-20f;
+constexpr float table_greatest = 0x1p10f;
+
+}  // namespace
+
 SampleDistance::SampleDistance(const std::optional<GammaCurve>& assumed_gamma, double antialias_gamma) {
     double working = 1.0;
     if (assumed_gamma) {
@@ -17,6 +26,11 @@ SampleDistance::SampleDistance(const std::optional<GammaCurve>& assumed_gamma, d
     }
     exponent_ = working / antialias_gamma;
     raw_ = !is_srgb_ && std::abs(exponent_ - 1.0) <= 0.01;
+    if (raw_) return;
+    for (uint32_t bits = std::bit_cast<uint32_t>(table_least);; bits += 1u << table_shift) {
+        table_.push_back(static_cast<float>(encoded(std::bit_cast<float>(bits))));
+        if (std::bit_cast<float>(bits) >= table_greatest) break;
+    }
 }
 
 double SampleDistance::encoded(float v) const {
@@ -34,21 +48,33 @@ double SampleDistance::operator()(const Radiance& a, const Radiance& b) const {
     return sum;
 }
 
+float SampleDistance::roughly_encoded(float v) const {
+    if (!(v >= table_least && v < table_greatest)) return v == 0.0f ? 0.0f : -1.0f;
+    const uint32_t bits = std::bit_cast<uint32_t>(v);
+    const uint32_t slot = (bits >> table_shift) - (std::bit_cast<uint32_t>(table_least) >> table_shift);
+    constexpr float step = 1u << table_shift;
+    const float t = static_cast<float>(bits & ((1u << table_shift) - 1)) / step;
+    return table_[slot] + t * (table_[slot + 1] - table_[slot]);
+}
+
 bool SampleDistance::at_least(const Radiance& a, const Radiance& b, double threshold) const {
-    if (raw_ || is_srgb_ || exponent_ >= 1.0) return (*this)(a, b) >= threshold;
-    // For a concave power the chord is bounded by the slope at the smaller value: |x^e - y^e| <= |x - y| * e
-    // * m^(e-1), and m^(e-1) <= 1 / m. Cheap, and decides nearly all pairs of neighbours.
-    double bound = std::abs(static_cast<double>(a.transmit) - static_cast<double>(b.transmit));
+    if (raw_) return (*this)(a, b) >= threshold;
+    if (a.rgb == b.rgb && a.transmit == b.transmit) return threshold <= 0.0;
+    float sum = std::abs(a.transmit - b.transmit);
+    float size = sum;
     for (int c = 0; c < 3; ++c) {
-        const auto x = static_cast<double>(a.rgb[c]);
-        const auto y = static_cast<double>(b.rgb[c]);
-        if (x == y) continue;
-        const double smaller = std::min(x, y);
-        if (smaller <= 0.0) return (*this)(a, b) >= threshold;
-        bound += std::abs(x - y) * exponent_ / std::min(smaller, 1.0);
+        if (a.rgb[c] == b.rgb[c]) continue;
+        const float x = roughly_encoded(a.rgb[c]);
+        const float y = roughly_encoded(b.rgb[c]);
+        if (x < 0.0f || y < 0.0f) return (*this)(a, b) >= threshold;
+        sum += std::abs(x - y);
+        size += x + y;
     }
-    // A little slack for the rounding of this bound against that of the true distance.
-    if (bound * (1.0 + 1e-9) < threshold) return false;
+    constexpr double table_error = 2e-4;
+    const double margin = table_error * static_cast<double>(size);
+    const double rough = static_cast<double>(sum);
+    if (rough + margin < threshold) return false;
+    if (rough - margin > threshold) return true;
     return (*this)(a, b) >= threshold;
 }
 
@@ -56,14 +82,9 @@ void Sampler::sample(std::span<const Vec2> positions, std::vector<Radiance>& out
     batch_.clear();
     batch_.reserve(positions.size());
     for (const Vec2& p : positions) {
-        CameraRay ray;
-        if (const auto made = rays_.at(p.x, p.y)) {
-            ray.ray = *made;
-        } else {
-            ray.exists = false;
-        }
+        CameraRay& ray = batch_.emplace_back();
+        ray.exists = rays_.at(p.x, p.y, ray.ray);
         ray.seed = mix(std::bit_cast<uint64_t>(p.x) ^ mix(std::bit_cast<uint64_t>(p.y)));
-        batch_.push_back(ray);
     }
     out.resize(positions.size());
     integrator_.trace(batch_, out, counters_);

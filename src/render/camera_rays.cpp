@@ -30,12 +30,18 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
       up_length_(glm::length(camera.up)),
       angle_(camera.angle_deg * pi / 180.0) {}
 
-std::optional<Ray> CameraRays::at(double x, double y) const {
+bool CameraRays::at(double x, double y, Ray& ray) const {
     const double x0 = (x + 0.5) / width_ - 0.5;
     const double y0 = 0.5 - (y + 0.5) / height_;
-    const auto d = direction(x0, y0);
-    if (!d) return std::nullopt;
-    return Ray{origin(x0, y0), glm::normalize(*d)};
+    if (camera_.kind == CameraKind::perspective) {
+        ray.origin = camera_.location;
+        ray.direction = glm::normalize(camera_.direction + x0 * camera_.right + y0 * camera_.up);
+        return true;
+    }
+    const auto direction = curved_direction(x0, y0);
+    if (!direction) return false;
+    ray = {origin(x0, y0), glm::normalize(*direction)};
+    return true;
 }
 
 Vec3 CameraRays::origin(double x0, double y0) const {
@@ -47,7 +53,7 @@ Vec3 CameraRays::origin(double x0, double y0) const {
     return camera_.location;
 }
 
-std::optional<Vec3> CameraRays::direction(double x0, double y0) const {
+std::optional<Vec3> CameraRays::curved_direction(double x0, double y0) const {
     const auto in_frame = [&](double r, double u, double d) {
         return r * unit_right_ + u * unit_up_ + d * unit_direction_;
     };

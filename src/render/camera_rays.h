@@ -12,12 +12,13 @@ public:
     CameraRays(const Camera& camera, int width, int height);
 
     /// The ray through the continuous picture position (x, y): (0, 0) is the centre of the top left pixel, x
-    /// grows to the right, y downward. Empty where this kind of camera makes no ray. The direction is unit
+    /// grows to the right, y downward. False where this kind of camera makes no ray. The direction is unit
     /// length.
-    std::optional<Ray> at(double x, double y) const;
+    bool at(double x, double y, Ray& ray) const;
 
 private:
-    std::optional<Vec3> direction(double x0, double y0) const;
+    /// For the kinds whose rays follow a curve.
+    std::optional<Vec3> curved_direction(double x0, double y0) const;
     Vec3 origin(double x0, double y0) const;
 
     Camera camera_;

@@ -1,7 +1,5 @@
 #include "shade/area_sampler.h"
 
-#include "shade/random.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -43,28 +41,13 @@ AreaSampler::AreaSampler(const LightProgram& light, size_t light_index, uint64_t
     if (!grid.jitter) return;
     jitter_ = true;
     seed_ = mixed(ray_seed, 16 * light_index + salt);
+    row_height_ = 1.0 / grid.size2;
+    column_width_ = 1.0 / grid.size1;
     row_order_ = shuffled(grid.size2, seed_, memory);
     column_order_ = shuffled(grid.size1, ~seed_, memory);
 }
 
-Vec3 AreaSampler::offset(int u, int v) const {
-    double x = u;
-    double y = v;
-    if (jitter_) {
-        const auto column = static_cast<size_t>(u);
-        const auto row = static_cast<size_t>(v);
-        const uint64_t draw = mixed(seed_, row * width_ + column);
-        const double fine_x = static_cast<double>(draw & 0xFFFFFFFFu) * 0x1p-32;
-        const double fine_y = static_cast<double>(draw >> 32) * 0x1p-32;
-        x += (row_order_[row] + fine_x) / static_cast<double>(row_order_.size()) - 0.5;
-        y += (column_order_[column] + fine_y) / static_cast<double>(column_order_.size()) - 0.5;
-    }
-    if (!circular_) {
-        // An axis with a single sample does not take part.
-        const double a = step1_ != 0.0 ? x * step1_ - 0.5 : 0.0;
-        const double b = step2_ != 0.0 ? y * step2_ - 0.5 : 0.0;
-        return axis1_ * a + axis2_ * b;
-    }
+Vec3 AreaSampler::on_disc(double x, double y) const {
     // Square shells become circles; the small shift keeps the centre away from 0/0.
     const double a = x * step1_ - 0.5 + 0.001;
     const double b = y * step2_ - 0.5 + 0.001;

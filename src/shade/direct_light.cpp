@@ -24,53 +24,98 @@ ShadowMemory::ShadowMemory(size_t rows, size_t lights, bool keep, Scratch::Scope
     known_ = memory.take<uint8_t>(rows * lights, uint8_t{0});
 }
 
+/// A row that a light illuminates if nothing is between them.
+struct DirectLight::Reached {
+    LightVector way;
+    double cosine;  ///< between the way and the row's normal
+    uint32_t row;
+    bool backside;
+    Rgb share;  ///< of what arrives
+    Rgb color;  ///< of the light, after attenuation
+};
+
 void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, ShadowMemory& memory) {
+    Scratch::Scope scratch(thread_scratch());
+    const auto reached = scratch.take<Reached>(rows.size());
+    const bool has_film = finish.finish.irid_amount > 0.0f;
     for (size_t light = 0; light < program_.lights.size(); ++light) {
-        for (LitRow& row : rows) add_one(finish, light, row, memory);
+        const LightProgram& source = program_.lights[light];
+        if (source.area_illumination()) {
+            for (LitRow& row : rows) {
+                const LightVector way = source.toward(state_.hits[row.hit].point, Vec3{0.0});
+                Rgb sum = from_area(finish, light, row, way, memory);
+                if (has_film) sum *= thin_film(finish, row, way.direction);
+                row.light += sum;
+            }
+            continue;
+        }
+        const size_t facing = find_facing(finish, source, rows, reached);
+        const size_t lit = find_lit(finish, light, rows, reached.first(facing));
+        for (const Reached& place : reached.first(lit)) {
+            LitRow& row = rows[place.row];
+            Rgb sum = place.share * arriving(light, row, place.way, place.color, memory);
+            if (has_film) sum *= thin_film(finish, row, place.way.direction);
+            row.light += sum;
+        }
     }
 }
 
-void DirectLight::add_one(const FinishProgram& finish, size_t light, LitRow& row, ShadowMemory& memory) {
+/// Rows that look towards a light. A loop with nothing else in it, so that roots and divisions overlap.
+size_t DirectLight::find_facing(const FinishProgram& finish, const LightProgram& source,
+                                std::span<const LitRow> rows, std::span<Reached> reached) const {
+    const bool shows_back = finish.finish.diffuse_back != 0.0f;
+    size_t count = 0;
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const LitRow& row = rows[i];
+        const HitPoint& hit = state_.hits[row.hit];
+        Reached& place = reached[count];
+        place.way = source.toward(hit.point, Vec3{0.0});
+        place.cosine = glm::dot(row.place.normal, place.way.direction);
+        place.row = static_cast<uint32_t>(i);
+        place.backside = !hit.double_illuminate && place.cosine < facing_limit;
+        count += !place.backside || shows_back ? 1 : 0;
+    }
+    return count;
+}
+
+/// Keeps the rows that show something of a light: for the others (a highlight elsewhere) no shadow ray is
+/// needed.
+size_t DirectLight::find_lit(const FinishProgram& finish, size_t light, std::span<const LitRow> rows,
+                             std::span<Reached> reached) const {
     const LightProgram& source = program_.lights[light];
-    const HitPoint& hit = state_.hits[row.hit];
-    const LightVector way = source.toward(hit.point, Vec3{0.0});
-    Rgb light_sum = source.area_illumination() ? from_area(finish, light, row, way, memory)
-                                               : from_center(finish, light, row, way, memory);
-    if (light_sum == Rgb(0.0f)) return;
-    if (finish.finish.irid_amount > 0.0f) {
-        const double cosines = std::abs(glm::dot(row.place.normal, way.direction)) +
-                               std::abs(glm::dot(row.place.normal, row.place.direction));
-        light_sum *=
-            iridescence(finish, program_.world.settings.irid_wavelength, row.place.irid_thickness, cosines);
+    LightMeeting meeting;
+    meeting.color = Rgb(1.0f);
+    meeting.highlights = !source.is_shadowless();
+    size_t count = 0;
+    for (const Reached& place : reached) {
+        const LitRow& row = rows[place.row];
+        const Vec3& point = state_.hits[row.hit].point;
+        const Rgb color = source.color() * static_cast<float>(source.attenuation(point, place.way));
+        if (is_black(color)) continue;
+        meeting.direction = place.way.direction;
+        meeting.cosine = place.cosine;
+        meeting.backside = place.backside;
+        meeting.crand = crand(finish, light, row);
+        const Rgb share = reflected_light(finish, row.place, meeting);
+        if (share == Rgb(0.0f)) continue;
+        Reached& kept = reached[count++];
+        kept = place;
+        kept.share = share;
+        kept.color = color;
     }
-    row.light += light_sum;
+    return count;
 }
 
-/// The place with its draw for crand.
-LitPlace DirectLight::roughened(size_t light, const LitRow& row) const {
-    LitPlace place = row.place;
-    if (place.crand != 0.0) {
-        place.crand *= unit_random(mixed(state_.ray_of(state_.hits[row.hit]).seed, 0x10000 + light));
-    }
-    return place;
+double DirectLight::crand(const FinishProgram& finish, size_t light, const LitRow& row) const {
+    const double amount = finish.finish.crand;
+    if (amount == 0.0) return 0.0;
+    return amount * unit_random(mixed(state_.ray_of(state_.hits[row.hit]).seed, 0x10000 + light));
 }
 
-Rgb DirectLight::from_center(const FinishProgram& finish, size_t light, const LitRow& row,
-                             const LightVector& way, ShadowMemory& memory) {
-    const LightProgram& source = program_.lights[light];
-    const HitPoint& hit = state_.hits[row.hit];
-    LightMeeting meeting{way.direction, Rgb(1.0f), false, !source.is_shadowless()};
-    if (!hit.double_illuminate && glm::dot(row.place.normal, way.direction) < facing_limit) {
-        if (finish.finish.diffuse_back == 0.0f) return Rgb(0.0f);
-        meeting.backside = true;
-    }
-    const Rgb color = source.color() * static_cast<float>(source.attenuation(hit.point, way));
-    if (is_black(color)) return Rgb(0.0f);
-    const LitPlace place = roughened(light, row);
-    // The light's share first: where it is nothing (a highlight elsewhere), no shadow ray is needed.
-    const Rgb share = reflected_light(finish, place, meeting);
-    if (share == Rgb(0.0f)) return share;
-    return share * arriving(light, row, way, color, memory);
+Rgb DirectLight::thin_film(const FinishProgram& finish, const LitRow& row, const Vec3& to_light) const {
+    const double cosines = std::abs(glm::dot(row.place.normal, to_light)) +
+                           std::abs(glm::dot(row.place.normal, row.place.direction));
+    return iridescence(finish, program_.world.settings.irid_wavelength, row.place.irid_thickness, cosines);
 }
 
 Rgb DirectLight::from_area(const FinishProgram& finish, size_t light, const LitRow& row,
@@ -83,20 +128,21 @@ Rgb DirectLight::from_area(const FinishProgram& finish, size_t light, const LitR
     const Rgb per_sample = arrived / static_cast<float>(source.sample_count());
     Scratch::Scope scratch(thread_scratch());
     const AreaSampler sampler(source, light, state_.ray_of(hit).seed, way.direction, 1, scratch);
-    const LitPlace place = roughened(light, row);
+    LightMeeting meeting;
+    meeting.highlights = !source.is_shadowless();
+    meeting.crand = crand(finish, light, row);
     Rgb sum(0.0f);
     for (int v = 0; v < grid.size2; ++v) {
         for (int u = 0; u < grid.size1; ++u) {
             const Vec3 offset = sampler.offset(u, v);
             const LightVector ray = source.toward(hit.point, offset);
-            LightMeeting meeting{ray.direction, Rgb(1.0f), false, !source.is_shadowless()};
-            if (!hit.double_illuminate && glm::dot(row.place.normal, ray.direction) < facing_limit) {
-                if (finish.finish.diffuse_back == 0.0f) continue;
-                meeting.backside = true;
-            }
+            meeting.direction = ray.direction;
+            meeting.cosine = glm::dot(row.place.normal, ray.direction);
+            meeting.backside = !hit.double_illuminate && meeting.cosine < facing_limit;
+            if (meeting.backside && finish.finish.diffuse_back == 0.0f) continue;
             meeting.color = per_sample * static_cast<float>(source.attenuation(hit.point, ray));
             if (is_black(meeting.color)) continue;
-            sum += reflected_light(finish, place, meeting);
+            sum += reflected_light(finish, row.place, meeting);
         }
     }
     return sum;

@@ -44,12 +44,15 @@ public:
     void add(const FinishProgram& finish, std::span<LitRow> rows, ShadowMemory& memory);
 
 private:
-    void add_one(const FinishProgram& finish, size_t light, LitRow& row, ShadowMemory& memory);
-    LitPlace roughened(size_t light, const LitRow& row) const;
-    Rgb from_center(const FinishProgram& finish, size_t light, const LitRow& row, const LightVector& way,
-                    ShadowMemory& memory);
+    struct Reached;
+    size_t find_facing(const FinishProgram& finish, const LightProgram& source, std::span<const LitRow> rows,
+                       std::span<Reached> reached) const;
+    size_t find_lit(const FinishProgram& finish, size_t light, std::span<const LitRow> rows,
+                    std::span<Reached> reached) const;
+    double crand(const FinishProgram& finish, size_t light, const LitRow& row) const;
     Rgb from_area(const FinishProgram& finish, size_t light, const LitRow& row, const LightVector& way,
                   ShadowMemory& memory);
+    Rgb thin_film(const FinishProgram& finish, const LitRow& row, const Vec3& to_light) const;
     Rgb arriving(size_t light, const LitRow& row, const LightVector& way, const Rgb& color,
                  ShadowMemory& memory);
 

@@ -21,30 +21,27 @@ double phong_term(const FinishProgram& f, const LitPlace& place, const Vec3& l) 
     const Vec3 mirror = place.direction - 2.0 * glm::dot(place.direction, place.normal) * place.normal;
     const double c = glm::dot(mirror, l);
     if (c <= f.phong_threshold) return 0.0;
-    return f.finish.phong * std::pow(c, static_cast<double>(f.finish.phong_size));
+    return f.finish.phong * f.phong_size.of(c);
 }
 
 double specular_term(const FinishProgram& f, const LitPlace& place, const Vec3& l) {
     const Vec3 half = l - place.direction;
-    const double length = glm::length(half);
-    if (length == 0.0) return 0.0;
-    const double c = glm::dot(half, place.normal) / length;
-    if (c <= f.specular_threshold) return 0.0;
-    return f.finish.specular * std::pow(c, static_cast<double>(f.finish.roughness_exponent));
+    const double along = glm::dot(half, place.normal);
+    const double square = glm::dot(half, half);
+    const double least = f.specular_threshold;
+    if (along <= 0.0 || along * along <= least * least * square) return 0.0;
+    return f.finish.specular * f.roughness.of(along / std::sqrt(square));
 }
 
 }  // namespace
 
 Rgb reflected_light(const FinishProgram& f, const LitPlace& place, const LightMeeting& light) {
     const Finish& finish = f.finish;
-    const double cosine = glm::dot(place.normal, light.direction);
     Rgb sum(0.0f);
     const float diffuse = light.backside ? finish.diffuse_back : finish.diffuse;
     if (diffuse > 0.0f) {
-        double intensity = std::abs(cosine);
-        if (finish.brilliance != 1.0f)
-            intensity = std::pow(intensity, static_cast<double>(finish.brilliance));
-        intensity = intensity * diffuse * place.opacity - place.crand;
+        const double intensity =
+            f.brilliance.of(std::abs(light.cosine)) * diffuse * place.opacity - light.crand;
         sum += static_cast<float>(intensity) * place.pigment * light.color;
     }
     if (!light.highlights || light.backside) return sum;
@@ -53,7 +50,8 @@ Rgb reflected_light(const FinishProgram& f, const LitPlace& place, const LightMe
     if (finish.specular > 0.0f) highlight += specular_term(f, place, light.direction);
     if (highlight == 0.0) return sum;
     const Rgb shine = static_cast<float>(highlight) * light.color;
-    if (finish.metallic > 0.0f) return sum + shine * metallic_tint(finish.metallic, cosine, place.pigment);
+    if (finish.metallic > 0.0f)
+        return sum + shine * metallic_tint(finish.metallic, light.cosine, place.pigment);
     return sum + shine;
 }
 

@@ -10,13 +10,14 @@ struct LitPlace {
     Rgb pigment{0.0f};
     float opacity = 1;
     double irid_thickness = 0;  ///< after turbulence
-    double crand = 0;           ///< what crand takes off the diffuse intensity
 };
 
 /// How a light meets a surface.
 struct LightMeeting {
     Vec3 direction{0.0};  ///< unit, towards the light
+    double cosine = 0;    ///< between it and the normal of the place
     Rgb color{0.0f};      ///< after attenuation and shadow
+    double crand = 0;     ///< what crand takes off the diffuse intensity
     bool backside = false;
     bool highlights = true;  ///< false for shadowless lights
 };

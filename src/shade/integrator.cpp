@@ -2,7 +2,17 @@
 
 #include "shade/ray_stream.h"
 
+#include <algorithm>
+
 namespace rb {
+
+namespace {
+
+/// Rays that travel together: enough to fill batches, few enough for their state to stay in the second level
+/// cache.
+constexpr size_t stream_size = 512;
+
+}  // namespace
 
 struct Integrator::Program {
     ShadingProgram shading;
@@ -16,11 +26,14 @@ Integrator::~Integrator() = default;
 void Integrator::trace(std::span<const CameraRay> rays, std::span<Radiance> out,
                        RayCounters& counters) const {
     thread_local StreamState state;
-    RayStream(program_->shading, state).trace(rays, out);
-    counters.camera += state.counters.camera;
-    counters.reflected += state.counters.reflected;
-    counters.refracted += state.counters.refracted;
-    counters.shadow += state.counters.shadow;
+    for (size_t begin = 0; begin < rays.size(); begin += stream_size) {
+        const size_t count = std::min(stream_size, rays.size() - begin);
+        RayStream(program_->shading, state).trace(rays.subspan(begin, count), out.subspan(begin, count));
+        counters.camera += state.counters.camera;
+        counters.reflected += state.counters.reflected;
+        counters.refracted += state.counters.refracted;
+        counters.shadow += state.counters.shadow;
+    }
 }
 
 }  // namespace rb

@@ -26,6 +26,7 @@ LightProgram::LightProgram(const Light& light) : light_(light) {
     cos_radius_ = std::cos(light.radius * (pi / 180.0));
     cos_falloff_ = std::cos(light.falloff * (pi / 180.0));
     fades_ = light.fade_power > 0.0 && std::abs(light.fade_distance) > 1e-10;
+    attenuates_ = fades_ || light.kind == LightKind::spotlight || light.kind == LightKind::cylinder;
     directed_ = light.parallel || light.kind == LightKind::cylinder;
     AreaGrid& grid = light_.area;
     grid.size1 = std::max(grid.size1, 1);
@@ -71,7 +72,7 @@ double LightProgram::cylinder_cone(const Vec3& p) const {
     return cone;
 }
 
-double LightProgram::attenuation(const Vec3& p, const LightVector& way) const {
+double LightProgram::cone_and_fading(const Vec3& p, const LightVector& way) const {
     double factor = 1.0;
     if (light_.kind == LightKind::spotlight) factor = spot_cone(way);
     if (light_.kind == LightKind::cylinder) factor = cylinder_cone(p);

@@ -21,6 +21,8 @@ public:
     bool area_illumination() const { return light_.is_area && light_.area.area_illumination; }
     uint32_t sample_count() const;
 
+    /// Parallel or cylinder: the direction is the light's own.
+    bool is_directed() const { return directed_; }
     /// From `p` to the centre, moved by `offset` on the light's area.
     LightVector toward(const Vec3& p, const Vec3& offset) const {
         if (directed_) return along_axis(p, offset);
@@ -29,10 +31,13 @@ public:
         return {distance > 0.0 ? way * (1.0 / distance) : way, distance};
     }
     /// Cone and fading with distance; 0 outside the cone.
-    double attenuation(const Vec3& p, const LightVector& way) const;
+    double attenuation(const Vec3& p, const LightVector& way) const {
+        return attenuates_ ? cone_and_fading(p, way) : 1.0;
+    }
 
 private:
     LightVector along_axis(const Vec3& p, const Vec3& offset) const;
+    double cone_and_fading(const Vec3& p, const LightVector& way) const;
     double spot_cone(const LightVector& way) const;
     double cylinder_cone(const Vec3& p) const;
 
@@ -41,7 +46,8 @@ private:
     double cos_radius_ = 0;
     double cos_falloff_ = 0;
     bool fades_ = false;
-    bool directed_ = false;  ///< parallel or cylinder: the direction is the light's own
+    bool attenuates_ = false;
+    bool directed_ = false;
 };
 
 }  // namespace rb

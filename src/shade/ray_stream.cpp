@@ -39,12 +39,11 @@ void RayStream::start(std::span<const CameraRay> rays) {
             origin = rays[i].ray.origin;
             inside = state_.interiors.add(program_.geometry.interiors_at(origin));
         }
-        PathRay ray;
+        PathRay& ray = state_.rays.emplace_back();
         ray.ray = rays[i].ray;
         ray.slot = static_cast<uint32_t>(i);
         ray.seed = rays[i].seed;
         ray.inside = inside;
-        state_.rays.push_back(ray);
         ++state_.counters.camera;
     }
 }
@@ -61,15 +60,15 @@ void RayStream::intersect() {
     Scratch::Scope memory(thread_scratch());
     const auto misses = memory.take<uint32_t>(state_.rays.size());
     size_t miss_count = 0;
+    RayQuery query;
+    Hit hit;
     for (uint32_t i = 0; i < state_.rays.size(); ++i) {
         const PathRay& ray = state_.rays[i];
-        RayQuery query;
         query.ray = ray.ray;
         query.mask = ray.reflected ? seen_by_reflection : seen_by_image;
         query.origin_leaf = ray.origin_leaf;
         query.origin_part = ray.origin_part;
         query.origin_error = ray.origin_error;
-        Hit hit;
         if (program_.geometry.closest(query, hit)) {
             add_hit(i, hit);
         } else {
@@ -81,49 +80,34 @@ void RayStream::intersect() {
 
 void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     const PathRay& ray = state_.rays[ray_index];
-    HitPoint& point = state_.hits.emplace_back();
-    point.point = hit.point;
-    point.direction = ray.ray.direction;
-    const bool from_inside = glm::dot(hit.normal, point.direction) > 0.0;
-    point.normal = from_inside ? -hit.normal : hit.normal;
-    point.t = hit.t;
-    point.error = hit.error;
-    point.ray = ray_index;
-    point.leaf = hit.leaf;
-    point.part = hit.crossing.part;
-    point.weight = ray.weight;
-    point.alpha = ray.alpha;
-    pass_fog(ray, hit.t, point.weight, point.alpha);
-    const Leaf& leaf = program_.geometry.leaf(hit.leaf);
-    if (leaf.first_texture_surface == no_surface) {
-        dress_hit(state_.hits.size() - 1, program_.surfaces[leaf.surface], from_inside, hit);
-    } else {
-        split_hit(from_inside, hit);
+    Rgb weight = ray.weight;
+    float alpha = ray.alpha;
+    pass_fog(ray, hit.t, weight, alpha);
+    const uint32_t surface = program_.leaf_surfaces[hit.leaf];
+    if (surface != no_surface) {
+        add_point(ray_index, hit, program_.surfaces[surface], weight, alpha);
+        return;
     }
-}
-
-/// Makes one hit point of each surface that a mesh wears here.
-void RayStream::split_hit(bool from_inside, const Hit& hit) {
-    const HitPoint whole = state_.hits.back();
-    state_.hits.pop_back();
+    // One hit point of each surface that a mesh wears here.
     std::array<SurfaceWeight, 3> worn;
     const int count = program_.geometry.surfaces_at(hit, worn);
     for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
-        if (count > 1 && worn[i].weight < program_.world.settings.adc_bailout) continue;
-        HitPoint& part = state_.hits.emplace_back(whole);
-        part.weight *= worn[i].weight;
-        part.alpha *= worn[i].weight;
-        dress_hit(state_.hits.size() - 1, program_.surfaces[worn[i].surface], from_inside, hit);
+        const float share = worn[i].weight;
+        if (count > 1 && share < program_.world.settings.adc_bailout) continue;
+        add_point(ray_index, hit, program_.surfaces[worn[i].surface], weight * share, alpha * share);
     }
 }
 
-void RayStream::dress_hit(size_t index, const SurfaceProgram& surface, bool from_inside, const Hit& hit) {
-    HitPoint& point = state_.hits[index];
-    point.look = from_inside ? surface.interior_look : surface.look;
-    point.interior = surface.interior;
-    point.uv_mapping = surface.uv_mapping;
-    point.double_illuminate = surface.double_illuminate;
-    if (!surface.uv_mapping && !program_.textures[program_.looks[point.look].texture].needs_surface) return;
+void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgram& surface,
+                          const Rgb& weight, float alpha) {
+    const Vec3& direction = state_.rays[ray_index].ray.direction;
+    const bool from_inside = glm::dot(hit.normal, direction) > 0.0;
+    const size_t index = state_.hits.size();
+    state_.hits.emplace_back(hit.point, from_inside ? -hit.normal : hit.normal, direction, hit.t, hit.error,
+                             ray_index, hit.leaf, hit.crossing.part,
+                             from_inside ? surface.interior_look : surface.look, surface.interior, weight,
+                             alpha, surface.uv_mapping, surface.double_illuminate);
+    if (!surface.needs_uv) return;
     if (state_.uv.size() <= index) state_.uv.resize(index + 1);
     state_.uv[index] = program_.geometry.uv(hit);
 }
@@ -139,27 +123,31 @@ void RayStream::pass_fog(const PathRay& ray, double length, Rgb& weight, float& 
 void RayStream::shade_sky(std::span<const uint32_t> misses) {
     if (misses.empty()) return;
     Scratch::Scope memory(thread_scratch());
-    const auto directions = memory.take<Vec3>(misses.size());
     const auto shows_alpha = memory.take<uint8_t>(misses.size());
-    const auto light = memory.take<SkyLight>(misses.size(), SkyLight{});
     for (size_t i = 0; i < misses.size(); ++i) {
-        const PathRay& ray = state_.rays[misses[i]];
-        directions[i] = ray.ray.direction;
-        shows_alpha[i] = program_.options.alpha_output && !ray.reflected ? 1 : 0;
+        shows_alpha[i] = program_.options.alpha_output && !state_.rays[misses[i]].reflected ? 1 : 0;
     }
-    program_.sky.evaluate(directions, shows_alpha, light);
+    std::span<SkyLight> light;
+    if (!program_.sky.is_plain()) {
+        const auto directions = memory.take<Vec3>(misses.size());
+        for (size_t i = 0; i < misses.size(); ++i) directions[i] = state_.rays[misses[i]].ray.direction;
+        light = memory.take<SkyLight>(misses.size());
+        program_.sky.evaluate(directions, shows_alpha, light);
+    }
     for (size_t i = 0; i < misses.size(); ++i) {
         const PathRay& ray = state_.rays[misses[i]];
+        const SkyLight& seen = light.empty() ? program_.sky.plain(shows_alpha[i] != 0) : light[i];
         Rgb weight = ray.weight;
         float alpha = ray.alpha;
         pass_fog(ray, endless, weight, alpha);
         Slot& slot = state_.slots[ray.slot];
-        slot.rgb += weight * light[i].rgb;
-        slot.transmit += alpha * light[i].transmit;
+        slot.rgb += weight * seen.rgb;
+        slot.transmit += alpha * seen.transmit;
     }
 }
 
 void RayStream::fill_samples() {
+    if (!program_.needs_samples) return;
     const size_t count = state_.hits.size();
     state_.points.resize(count);
     state_.seen_normals.resize(count);

@@ -15,8 +15,8 @@ private:
     void run_wave();
     void intersect();
     void add_hit(uint32_t ray_index, const Hit& hit);
-    void split_hit(bool from_inside, const Hit& hit);
-    void dress_hit(size_t index, const SurfaceProgram& surface, bool from_inside, const Hit& hit);
+    void add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgram& surface, const Rgb& weight,
+                   float alpha);
     std::span<const uint32_t> group_hits(Scratch::Scope& memory);
     void shade_sky(std::span<const uint32_t> misses);
     void shade_hits();

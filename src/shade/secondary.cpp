@@ -74,9 +74,10 @@ SecondaryRays::Crossing SecondaryRays::crossing_of(const HitPoint& hit, const Fi
     return crossing;
 }
 
-PathRay SecondaryRays::child_of(const HitPoint& hit, uint64_t purpose) const {
+/// Starts a ray in the next wave. Until keep_or_drop() it is the last one there.
+PathRay& SecondaryRays::add_child(const HitPoint& hit, uint64_t purpose) {
     const PathRay& parent = state_.ray_of(hit);
-    PathRay ray = parent;
+    PathRay& ray = state_.next.emplace_back(parent);
     ray.ray.origin = hit.point;
     ray.origin_leaf = hit.leaf;
     ray.origin_part = hit.part;
@@ -94,19 +95,19 @@ bool SecondaryRays::worth_following(const PathRay& ray) const {
     return ray.level < settings.max_trace_level && !(ray.importance < settings.adc_bailout);
 }
 
-void SecondaryRays::push(const PathRay& ray) {
-    if (ray.reflected) {
-        ++state_.counters.reflected;
-    } else {
-        ++state_.counters.refracted;
+bool SecondaryRays::keep_or_drop(const PathRay& ray) {
+    if (!worth_following(ray)) {
+        state_.next.pop_back();
+        return false;
     }
-    state_.next.push_back(ray);
+    ++(ray.reflected ? state_.counters.reflected : state_.counters.refracted);
+    return true;
 }
 
 bool SecondaryRays::transmit(const HitPoint& hit, const Transmission& what) {
     const PathRay& parent = state_.ray_of(hit);
     const Crossing crossing = crossing_of(hit, *what.finish);
-    PathRay ray = child_of(hit, purpose_transmit);
+    PathRay& ray = add_child(hit, purpose_transmit);
     ray.refracted = true;
     ray.importance = parent.importance *
                      std::max({std::abs(what.filter.x), std::abs(what.filter.y), std::abs(what.filter.z)});
@@ -123,7 +124,7 @@ bool SecondaryRays::transmit(const HitPoint& hit, const Transmission& what) {
 
     if (std::abs(crossing.dispersion - 1.0) >= straight) {
         if (ray.wavelength == 0.0f) {
-            disperse(hit, what, crossing, ray);
+            disperse(hit, what, crossing);
             return false;
         }
         const double shift = -(static_cast<double>(ray.wavelength) - 555.0) / 350.0;
@@ -132,14 +133,14 @@ bool SecondaryRays::transmit(const HitPoint& hit, const Transmission& what) {
     if (std::abs(crossing.eta - 1.0) < straight) {
         ray.continuation = true;
         ray.weight *= what.filter;
-        if (worth_following(ray)) push(ray);
+        keep_or_drop(ray);
         return false;
     }
     return bend(hit, what, crossing, crossing.eta, ray);
 }
 
 bool SecondaryRays::bend(const HitPoint& hit, const Transmission& what, const Crossing& crossing, double eta,
-                         PathRay ray) {
+                         PathRay& ray) {
     const Vec3& d = hit.direction;
     const double along = glm::dot(d, what.normal);
     const Vec3 m = along > 0.0 ? -what.normal : what.normal;
@@ -153,25 +154,27 @@ bool SecondaryRays::bend(const HitPoint& hit, const Transmission& what, const Cr
     ray.ray.direction = glm::normalize(eta * d + (eta * c - std::sqrt(k)) * m);
     ray.inside = crossing.inside;
     ray.weight *= what.filter;
-    if (worth_following(ray)) push(ray);
+    keep_or_drop(ray);
     return false;
 }
 
-void SecondaryRays::mirror_inside(const HitPoint& hit, const Transmission& what, PathRay ray) {
+void SecondaryRays::mirror_inside(const HitPoint& hit, const Transmission& what, PathRay& ray) {
     ray.ray.direction = mirrored(hit.direction, what.normal, hit.normal);
     ray.weight *= film(hit, *what.finish, what.normal, ray.ray.direction);
     ray.alpha = 0;
     ray.reflected = true;
-    if (worth_following(ray)) push(ray);
+    keep_or_drop(ray);
 }
 
-void SecondaryRays::disperse(const HitPoint& hit, const Transmission& what, const Crossing& crossing,
-                             const PathRay& ray) {
+/// Makes one ray per band out of the last one.
+void SecondaryRays::disperse(const HitPoint& hit, const Transmission& what, const Crossing& crossing) {
+    const PathRay ray = state_.next.back();
+    state_.next.pop_back();
     const int samples = std::max(crossing.samples, 2);
     const double width = 350.0 / samples;
     for (int i = 0; i < samples; ++i) {
         const double wavelength = 380.0 + 350.0 * (i + 0.5) / samples;
-        PathRay band = ray;
+        PathRay& band = state_.next.emplace_back(ray);
         band.seed = mixed(ray.seed, purpose_band + static_cast<uint64_t>(i));
         band.alpha = 0;
         band.weight *= band_hue(wavelength, width) / static_cast<float>(samples);
@@ -198,12 +201,12 @@ Rgb SecondaryRays::film(const HitPoint& hit, const FinishProgram& finish, const 
 }
 
 void SecondaryRays::reflect(const HitPoint& hit, const MirrorRecord& mirror) {
-    PathRay ray = child_of(hit, purpose_reflect);
+    PathRay& ray = add_child(hit, purpose_reflect);
     ray.ray.direction = mirrored(hit.direction, mirror.normal, hit.normal);
     ray.importance = mirror.importance;
     ray.reflected = true;
     ray.alpha = 0;
-    if (!worth_following(ray)) return;
+    if (!keep_or_drop(ray)) return;
     const Rgb tint = film(hit, *mirror.finish, mirror.normal, ray.ray.direction);
     const float exponent = mirror.finish->finish.reflection.exponent;
     const Rgb weight = ray.weight * mirror.amount * mirror.share;
@@ -216,7 +219,6 @@ void SecondaryRays::reflect(const HitPoint& hit, const MirrorRecord& mirror) {
         ray.slot = slot;
         ray.weight = tint;
     }
-    push(ray);
 }
 
 }  // namespace rb

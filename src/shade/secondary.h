@@ -39,14 +39,13 @@ private:
     struct Crossing;
     Crossing crossing_of(const HitPoint& hit, const FinishProgram& finish);
     bool bend(const HitPoint& hit, const Transmission& what, const Crossing& crossing, double eta,
-              PathRay ray);
-    void disperse(const HitPoint& hit, const Transmission& what, const Crossing& crossing,
-                  const PathRay& ray);
-    void mirror_inside(const HitPoint& hit, const Transmission& what, PathRay ray);
+              PathRay& ray);
+    void disperse(const HitPoint& hit, const Transmission& what, const Crossing& crossing);
+    void mirror_inside(const HitPoint& hit, const Transmission& what, PathRay& ray);
     Rgb film(const HitPoint& hit, const FinishProgram& finish, const Vec3& normal, const Vec3& out) const;
     bool worth_following(const PathRay& ray) const;
-    PathRay child_of(const HitPoint& hit, uint64_t purpose) const;
-    void push(const PathRay& ray);
+    PathRay& add_child(const HitPoint& hit, uint64_t purpose);
+    bool keep_or_drop(const PathRay& ray);
 
     const ShadingProgram& program_;
     StreamState& state_;

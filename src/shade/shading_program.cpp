@@ -49,7 +49,15 @@ void ShadingProgram::add_surfaces() {
         program.interior = surface.interior;
         program.uv_mapping = surface.uv_mapping;
         program.double_illuminate = surface.double_illuminate;
+        const bool asked = textures[looks[program.look].texture].needs_surface ||
+                           textures[looks[program.interior_look].texture].needs_surface;
+        program.needs_uv = surface.uv_mapping || asked;
+        needs_samples = needs_samples || asked;
         surfaces.push_back(program);
+    }
+    leaf_surfaces.reserve(geometry.leaves().size());
+    for (const Leaf& leaf : geometry.leaves()) {
+        leaf_surfaces.push_back(leaf.first_texture_surface == no_surface ? leaf.surface : no_surface);
     }
 }
 

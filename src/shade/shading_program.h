@@ -21,6 +21,7 @@ struct SurfaceProgram {
     uint32_t interior = 0;
     bool uv_mapping = false;
     bool double_illuminate = false;
+    bool needs_uv = false;  ///< of either look
 };
 
 /// A world compiled for shading; immutable while rendering.
@@ -35,6 +36,8 @@ struct ShadingProgram {
     std::vector<TextureProgram> textures;
     std::vector<Look> looks;
     std::vector<SurfaceProgram> surfaces;
+    std::vector<uint32_t> leaf_surfaces;  ///< index into `surfaces`; no_surface for meshes with several
+    bool needs_samples = false;           ///< some texture asks for StreamState::samples
     std::vector<LightProgram> lights;
     std::vector<uint32_t> first_sample;  ///< of each light among all samples of all lights
     uint32_t sample_count = 0;

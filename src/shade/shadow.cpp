@@ -167,6 +167,12 @@ Rgb ShadowTracer::surface_filter(const SurfaceProgram& surface, const Hit& hit, 
                           caustics);
 }
 
+struct ShadowTracer::GridCorner {
+    int u;
+    int v;
+    uint32_t index;
+};
+
 /// One evaluation of an area light: every grid point is looked at once at most.
 struct ShadowTracer::Grid {
     size_t light;
@@ -175,6 +181,11 @@ struct ShadowTracer::Grid {
     const Rgb& color;
     std::span<Rgb> arrived;
     std::span<uint8_t> known;
+    std::span<uint32_t> blockers;
+    std::span<LightVector> ways;  ///< to the corners of the cell at hand
+    int width;
+
+    GridCorner corner(int u, int v) const { return {u, v, static_cast<uint32_t>(v * width + u)}; }
 };
 
 Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector& to_center,
@@ -184,29 +195,43 @@ Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector
     const size_t count = program_.lights[light].sample_count();
     const AreaSampler sampler(program_.lights[light], light, state_.ray_of(hit).seed, to_center.direction, 0,
                               memory);
-    Grid grid{light, hit, sampler, color, memory.take<Rgb>(count), memory.take<uint8_t>(count, uint8_t{0})};
+    Grid grid{light,
+              hit,
+              sampler,
+              color,
+              memory.take<Rgb>(count),
+              memory.take<uint8_t>(count, uint8_t{0}),
+              std::span(state_.blockers).subspan(program_.first_sample[light], count),
+              memory.take<LightVector>(4),
+              area.size1};
     return grid_cell(grid, 0, 0, area.size1 - 1, area.size2 - 1, 0);
 }
 
-const Rgb& ShadowTracer::grid_point(Grid& grid, int u, int v) {
+/// Finds out what arrives from the corners of a cell, as far as it is not known. Their directions are worked
+/// out together, so that roots and divisions overlap.
+void ShadowTracer::look_at_corners(Grid& grid, const std::array<GridCorner, 4>& corners) {
     const LightProgram& light = program_.lights[grid.light];
-    const auto index =
-        static_cast<size_t>(v) * static_cast<size_t>(light.light().area.size1) + static_cast<size_t>(u);
-    if (!grid.known[index]) {
-        grid.known[index] = 1;
-        const Vec3 offset = grid.sampler.offset(u, v);
-        uint32_t& blocker = state_.blockers[program_.first_sample[grid.light] + index];
-        grid.arrived[index] =
-            along(light.light(), grid.hit, light.toward(grid.hit.point, offset), grid.color, blocker);
+    for (size_t k = 0; k < 4; ++k) {
+        const GridCorner& corner = corners[k];
+        if (grid.known[corner.index]) continue;
+        grid.ways[k] = light.toward(grid.hit.point, grid.sampler.offset(corner.u, corner.v));
     }
-    return grid.arrived[index];
+    for (size_t k = 0; k < 4; ++k) {
+        const uint32_t index = corners[k].index;
+        if (grid.known[index]) continue;
+        grid.known[index] = 1;
+        grid.arrived[index] = along(light.light(), grid.hit, grid.ways[k], grid.color, grid.blockers[index]);
+    }
 }
 
 Rgb ShadowTracer::grid_cell(Grid& grid, int u1, int v1, int u2, int v2, int level) {
-    Rgb s0 = grid_point(grid, u1, v1);
-    Rgb s1 = grid_point(grid, u2, v1);
-    Rgb s2 = grid_point(grid, u1, v2);
-    Rgb s3 = grid_point(grid, u2, v2);
+    const std::array<GridCorner, 4> corners{grid.corner(u1, v1), grid.corner(u2, v1), grid.corner(u1, v2),
+                                            grid.corner(u2, v2)};
+    look_at_corners(grid, corners);
+    Rgb s0 = grid.arrived[corners[0].index];
+    Rgb s1 = grid.arrived[corners[1].index];
+    Rgb s2 = grid.arrived[corners[2].index];
+    Rgb s3 = grid.arrived[corners[3].index];
     if (u2 - u1 > 1 || v2 - v1 > 1) {
         constexpr float threshold = 0.1f;
         const bool differ = difference(s0, s1) > threshold || difference(s1, s3) > threshold ||

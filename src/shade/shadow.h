@@ -1,6 +1,8 @@
 #pragma once
 #include "shade/stream_state.h"
 
+#include <array>
+
 namespace rb {
 
 /// Follows shadow rays from lit points to lights.
@@ -14,12 +16,13 @@ public:
 
 private:
     struct Grid;
+    struct GridCorner;
     Rgb along(const Light& light, const HitPoint& hit, const LightVector& way, Rgb color, uint32_t& blocker);
     Rgb filtered(const HitPoint& hit, const LightVector& way, double t_max, Rgb color);
     Rgb filter_of(const Hit& hit, const Vec3& direction, double segment, std::span<const uint32_t> inside);
     Rgb surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction);
     Rgb over_area(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color);
-    const Rgb& grid_point(Grid& grid, int u, int v);
+    void look_at_corners(Grid& grid, const std::array<GridCorner, 4>& corners);
     Rgb grid_cell(Grid& grid, int u1, int v1, int u2, int v2, int level);
 
     const ShadingProgram& program_;

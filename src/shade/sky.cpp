@@ -9,6 +9,13 @@ SkyProgram::SkyProgram(const std::optional<SkySphere>& sky, const std::optional<
                        const PatternSettings& settings, bool before_37)
     : has_background_(background.has_value()), before_37_(before_37) {
     if (background) background_ = *background;
+    // Without alpha output a see-through background is black behind.
+    const float solid = has_background_ ? 1.0f - background_.transmit : 1.0f;
+    const Color opaque{background_.red * solid, background_.green * solid, background_.blue * solid, 0, 0};
+    const Color open = has_background_ ? background_ : Color{0, 0, 0, 0, 1};
+    ground_ = {Ground{opaque.rgb() * opacity(opaque), passed(opaque)},
+               Ground{open.rgb() * opacity(open), passed(open)}};
+    plain_ = {plain_background(false), plain_background(true)};
     if (!sky) return;
     emission_ = sky->emission;
     world_from_sky_ = sky->world_from_sky;
@@ -16,15 +23,9 @@ SkyProgram::SkyProgram(const std::optional<SkySphere>& sky, const std::optional<
 }
 
 SkyLight SkyProgram::over_background(Rgb color, Rgb filter, bool alpha) const {
-    Color ground = background_;
-    if (alpha && !has_background_) ground = {0, 0, 0, 0, 1};
-    if (!alpha) {
-        // Without alpha output a see-through background is black behind.
-        const float solid = has_background_ ? 1.0f - background_.transmit : 1.0f;
-        ground = {background_.red * solid, background_.green * solid, background_.blue * solid, 0, 0};
-    }
-    color += ground.rgb() * opacity(ground) * filter;
-    filter *= passed(ground);
+    const Ground& ground = ground_[alpha ? 1 : 0];
+    color += ground.light * filter;
+    filter *= ground.passed;
     return {color, std::min(1.0f, std::abs(grey(filter)))};
 }
 
@@ -35,10 +36,6 @@ SkyLight SkyProgram::plain_background(bool alpha) const {
 
 void SkyProgram::evaluate(std::span<const Vec3> directions, std::span<const uint8_t> shows_alpha,
                           std::span<SkyLight> out) const {
-    if (pigments_.empty()) {
-        for (size_t i = 0; i < out.size(); ++i) out[i] = plain_background(shows_alpha[i] != 0);
-        return;
-    }
     Scratch::Scope memory(thread_scratch());
     const auto points = memory.take<Vec3>(directions.size());
     for (size_t i = 0; i < points.size(); ++i) points[i] = world_from_sky_.inverse_point(directions[i]);

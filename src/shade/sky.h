@@ -2,6 +2,8 @@
 #include "patterns/pigment_program.h"
 #include "scene/scene.h"
 
+#include <array>
+
 namespace rb {
 
 /// What a ray sees that hits nothing.
@@ -16,6 +18,10 @@ public:
     SkyProgram(const std::optional<SkySphere>& sky, const std::optional<Color>& background,
                const PatternSettings& settings, bool before_37);
 
+    /// True if there is only a background.
+    bool is_plain() const { return pigments_.empty(); }
+    const SkyLight& plain(bool alpha) const { return plain_[alpha ? 1 : 0]; }
+
     /// `shows_alpha[i]`: the ray counts for alpha output, which then may see through the background.
     void evaluate(std::span<const Vec3> directions, std::span<const uint8_t> shows_alpha,
                   std::span<SkyLight> out) const;
@@ -28,6 +34,12 @@ private:
     Rgb emission_{1.0f};
     Transform world_from_sky_;
     Color background_;
+    struct Ground {
+        Rgb light{0.0f};
+        Rgb passed{0.0f};
+    };
+    std::array<Ground, 2> ground_;  ///< the background without and with alpha
+    std::array<SkyLight, 2> plain_;
     bool has_background_ = false;
     bool before_37_ = false;
 };

@@ -57,12 +57,12 @@ struct HitPoint {
     uint32_t ray = 0;  ///< index into the wave
     uint32_t leaf = no_leaf;
     uint32_t part = any_part;
-    bool uv_mapping = false;
     uint32_t look = 0;
     uint32_t interior = 0;
-    bool double_illuminate = false;
     Rgb weight{1.0f};  ///< of its light, after the atmosphere on the way to the eye
     float alpha = 1;
+    bool uv_mapping = false;
+    bool double_illuminate = false;
 };
 
 /// Light added up for a pixel, or for a mirror whose light is raised to a power before it counts.

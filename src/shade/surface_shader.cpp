@@ -53,6 +53,8 @@ void SurfaceShader::shade_rows(const TextureProgram& texture, const Rows& rows, 
                                ShadowMemory& memory) {
     if (texture.is_patterned()) {
         shade_children(texture, rows, enclosing, memory);
+    } else if (texture.layers.size() == 1 && program_.world.settings.adc_bailout < 1.0f) {
+        shade_single(texture.layers.front(), rows, enclosing, memory);
     } else {
         shade_layers(texture, rows, enclosing, memory);
     }
@@ -146,12 +148,76 @@ void SurfaceShader::normals_of(const LayerProgram& layer, const PatternSamples& 
     for (size_t k = enclosing.size(); k-- > 0;) normals_out_of(enclosing[k], unit_length, normals);
     for (size_t i = 0; i < hits.size(); ++i) {
         normals[i] = glm::normalize(normals[i]);
-        state_.seen_normals[hits[i]] = normals[i];
+        if (program_.needs_samples) state_.seen_normals[hits[i]] = normals[i];
     }
 }
 
 Rgb SurfaceShader::own_light(const LayerProgram& layer, const LitRow& lit) const {
+    if (program_.options.quality <= 1) return lit.place.pigment;
     return layer.finish.own_light * lit.place.pigment * lit.place.opacity + lit.light;
+}
+
+/// Normals, pigments and direct light of one layer.
+SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, const Rows& rows,
+                                                   Chains enclosing, ShadowMemory& shadows,
+                                                   Scratch::Scope& memory) {
+    const size_t count = rows.size();
+    const LitLayer layer_rows{memory.take<LitRow>(count), memory.take<Color>(count)};
+    Scratch::Scope scratch(thread_scratch());
+    const SurfaceSamples surface = state_.samples();
+    const PatternSamples samples{rows.points, &surface, rows.hits};
+    const auto normals = scratch.take<Vec3>(count);
+    normals_of(layer, samples, rows.hits, enclosing, normals);
+    layer.pigment.evaluate(samples, layer_rows.pigments);
+
+    const FinishProgram& finish = layer.finish;
+    for (size_t i = 0; i < count; ++i) {
+        const HitPoint& hit = state_.hits[rows.hits[i]];
+        const Color& p = layer_rows.pigments[i];
+        LitRow& row = layer_rows.lit[i];
+        row.hit = rows.hits[i];
+        row.root = rows.roots[i];
+        row.place.normal = normals[i];
+        row.place.direction = hit.direction;
+        row.place.pigment = p.rgb();
+        row.place.opacity = program_.before_37
+                                ? 1.0f - (p.filter * std::max({p.red, p.green, p.blue}) + p.transmit)
+                                : opacity(p);
+        if (finish.finish.irid_amount > 0.0f) {
+            row.place.irid_thickness = film_thickness(finish, hit.point, program_.patterns.noise_generator);
+        }
+        row.light = Rgb(0.0f);
+    }
+    if (finish.takes_light && program_.options.quality > 1) light_.add(finish, layer_rows.lit, shadows);
+    return layer_rows;
+}
+
+/// A texture of a single layer, which most are: nothing to stack.
+void SurfaceShader::shade_single(const LayerProgram& layer, const Rows& rows, Chains enclosing,
+                                 ShadowMemory& shadows) {
+    Scratch::Scope memory(thread_scratch());
+    const auto [lit, pigments] = light_layer(layer, rows, enclosing, shadows, memory);
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const HitPoint& hit = state_.hits[rows.hits[i]];
+        state_.slots[state_.ray_of(hit).slot].rgb += hit.weight * rows.shares[i] * own_light(layer, lit[i]);
+    }
+    const bool mirrors = layer.finish.reflects;
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const bool clear = pigments[i].filter != 0.0f || pigments[i].transmit != 0.0f;
+        if (!clear && !mirrors) continue;
+        const HitPoint& hit = state_.hits[rows.hits[i]];
+        const Vec3& normal = lit[i].place.normal;
+        MirrorRecord mirror;
+        if (mirrors) mirror = mirror_of(layer, lit[i], 1.0f, rows.shares[i]);
+        const Rgb filter = passed(pigments[i]) * kept(layer, mirror);
+        const float through = std::min(1.0f, std::abs(grey(filter)));
+        bool total_reflection = false;
+        if (through > program_.world.settings.adc_bailout && program_.options.quality >= 6) {
+            total_reflection =
+                secondary_.transmit(hit, {&layer.finish, normal, filter, through, rows.shares[i]});
+        }
+        if (mirror.amount != Rgb(0.0f) && !total_reflection) secondary_.reflect(hit, mirror);
+    }
 }
 
 void SurfaceShader::shade_layer(const LayerProgram& layer, const Rows& rows, std::span<const uint32_t> active,
@@ -159,68 +225,49 @@ void SurfaceShader::shade_layer(const LayerProgram& layer, const Rows& rows, std
     Scratch::Scope memory(thread_scratch());
     const size_t count = active.size();
     const auto hits = memory.take<uint32_t>(count);
+    const auto roots = memory.take<uint32_t>(count);
     const auto points = memory.take<Vec3>(count);
     for (size_t i = 0; i < count; ++i) {
         hits[i] = rows.hits[active[i]];
+        roots[i] = rows.roots[active[i]];
         points[i] = rows.points[active[i]];
     }
-    const SurfaceSamples surface = state_.samples();
-    const PatternSamples samples{points, &surface, hits};
-    const auto normals = memory.take<Vec3>(count);
-    normals_of(layer, samples, hits, enclosing, normals);
-    const auto pigments = memory.take<Color>(count);
-    layer.pigment.evaluate(samples, pigments);
-
-    const auto lit = memory.take<LitRow>(count, LitRow{});
-    const FinishProgram& finish = layer.finish;
-    const bool full_color_only = program_.options.quality <= 1;
-    for (size_t i = 0; i < count; ++i) {
-        const HitPoint& hit = state_.hits[hits[i]];
-        const Color& p = pigments[i];
-        LitRow& row = lit[i];
-        row.hit = hits[i];
-        row.root = rows.roots[active[i]];
-        row.place.normal = normals[i];
-        row.place.direction = hit.direction;
-        row.place.pigment = p.rgb();
-        row.place.opacity = program_.before_37
-                                ? 1.0f - (p.filter * std::max({p.red, p.green, p.blue}) + p.transmit)
-                                : opacity(p);
-        row.place.crand = finish.finish.crand;
-        if (finish.finish.irid_amount > 0.0f) {
-            row.place.irid_thickness = film_thickness(finish, hit.point, program_.patterns.noise_generator);
-        }
-    }
-    if (finish.takes_light && !full_color_only) light_.add(finish, lit, shadows);
-
+    const auto [lit, pigments] = light_layer(layer, {hits, roots, points, {}}, enclosing, shadows, memory);
     for (size_t i = 0; i < count; ++i) {
         const uint32_t row = active[i];
-        if (stack.is_top) stack.top_normal[row] = normals[i];
-        Rgb kept(1.0f);
-        if (full_color_only) {
+        if (stack.is_top) stack.top_normal[row] = lit[i].place.normal;
+        if (program_.options.quality <= 1) {
             stack.color[row] = lit[i].place.pigment;
         } else {
             stack.color[row] += stack.filter[row] * own_light(layer, lit[i]);
-            if (finish.reflects) {
-                mirror(layer, row, lit[i], rows.shares[row], stack);
-                const Rgb& amount = stack.mirrors[stack.mirror_count - 1].amount;
-                if (finish.finish.conserve_energy) kept = glm::min(Rgb(1.0f), Rgb(1.0f) - amount);
-            }
         }
-        stack.filter[row] *= passed(pigments[i]) * kept;
+        MirrorRecord mirror;
+        if (layer.finish.reflects) {
+            mirror = mirror_of(layer, lit[i], stack.through[row], rows.shares[row]);
+            mirror.row = row;
+            stack.mirrors[stack.mirror_count++] = mirror;
+        }
+        stack.filter[row] *= passed(pigments[i]) * kept(layer, mirror);
         stack.through[row] = std::min(1.0f, std::abs(grey(stack.filter[row])));
     }
 }
 
-void SurfaceShader::mirror(const LayerProgram& layer, uint32_t row, const LitRow& lit, float share,
-                           LayerStack& stack) {
+/// `through`: what the layers above let through.
+MirrorRecord SurfaceShader::mirror_of(const LayerProgram& layer, const LitRow& lit, float through,
+                                      float share) const {
     const HitPoint& hit = state_.hits[lit.hit];
     const double cosine = -glm::dot(lit.place.direction, lit.place.normal);
     const bool fresnel = layer.finish.finish.reflection.fresnel;
     const double ior = fresnel ? secondary_.relative_ior(hit, layer.finish) : 1.0;
     const Reflectivity r = reflectivity(layer.finish, cosine, ior, lit.place.pigment);
-    const float importance = state_.ray_of(hit).importance * stack.through[row] * r.importance;
-    stack.mirrors[stack.mirror_count++] = {row, &layer.finish, lit.place.normal, r.amount, importance, share};
+    const float importance = state_.ray_of(hit).importance * through * r.importance;
+    return {0, &layer.finish, lit.place.normal, r.amount, importance, share};
+}
+
+/// What a mirror leaves for the light from below it.
+Rgb SurfaceShader::kept(const LayerProgram& layer, const MirrorRecord& mirror) {
+    if (!layer.finish.finish.conserve_energy) return Rgb(1.0f);
+    return glm::min(Rgb(1.0f), Rgb(1.0f) - mirror.amount);
 }
 
 void SurfaceShader::send_on(const TextureProgram& texture, const Rows& rows, const LayerStack& stack) {

@@ -17,6 +17,10 @@ public:
 private:
     struct Rows;
     struct LayerStack;
+    struct LitLayer {
+        std::span<LitRow> lit;
+        std::span<Color> pigments;
+    };
     using Chains = std::span<const std::span<const Warp>>;
 
     void shade_rows(const TextureProgram& texture, const Rows& rows, Chains enclosing, ShadowMemory& memory);
@@ -28,7 +32,11 @@ private:
                      Chains enclosing, LayerStack& stack, ShadowMemory& memory);
     void normals_of(const LayerProgram& layer, const PatternSamples& samples, std::span<const uint32_t> hits,
                     Chains enclosing, std::span<Vec3> normals);
-    void mirror(const LayerProgram& layer, uint32_t row, const LitRow& lit, float share, LayerStack& stack);
+    void shade_single(const LayerProgram& layer, const Rows& rows, Chains enclosing, ShadowMemory& memory);
+    LitLayer light_layer(const LayerProgram& layer, const Rows& rows, Chains enclosing, ShadowMemory& shadows,
+                         Scratch::Scope& memory);
+    MirrorRecord mirror_of(const LayerProgram& layer, const LitRow& lit, float through, float share) const;
+    static Rgb kept(const LayerProgram& layer, const MirrorRecord& mirror);
     void send_on(const TextureProgram& texture, const Rows& rows, const LayerStack& stack);
     Rgb own_light(const LayerProgram& layer, const LitRow& lit) const;
 

@@ -19,7 +19,11 @@ double highlight_threshold(double exponent) {
 
 }  // namespace
 
-FinishProgram::FinishProgram(const Finish& written, const Rgb& ambient_light) : finish(written) {
+FinishProgram::FinishProgram(const Finish& written, const Rgb& ambient_light)
+    : finish(written),
+      brilliance(static_cast<double>(written.brilliance)),
+      phong_size(static_cast<double>(written.phong_size)),
+      roughness(static_cast<double>(written.roughness_exponent)) {
     own_light = written.ambient * ambient_light + written.emission;
     takes_light = written.diffuse != 0.0f || written.diffuse_back != 0.0f || written.phong != 0.0f ||
                   written.specular != 0.0f;

@@ -2,6 +2,7 @@
 #include "compile/world.h"
 #include "patterns/normal_program.h"
 #include "patterns/pigment_program.h"
+#include "shade/power.h"
 
 #include <optional>
 #include <vector>
@@ -19,6 +20,9 @@ struct FinishProgram {
     float reflection_importance = 0;  ///< largest component of min and max
     double phong_threshold = 0;       ///< smaller cosines give nothing that could be seen
     double specular_threshold = 0;
+    Power brilliance;
+    Power phong_size;
+    Power roughness;
 };
 
 struct LayerProgram {

@@ -32,7 +32,8 @@ Bounds clipped_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Bound
                 const double dq = beyond[next];
                 if (dp <= 0.0) kept[m++] = p;
                 if ((dp < 0.0 && dq > 0.0) || (dp > 0.0 && dq < 0.0)) {
-                    // From the inner to the outer end, so that neighbours cut a shared edge at the same point.
+                    // From the inner to the outer end, so that neighbours cut a shared edge at the same
+                    // point.
                     Vec3 cut = dp < dq ? p + (q - p) * (dp / (dp - dq)) : q + (p - q) * (dq / (dq - dp));
                     cut[axis] = plane;
                     kept[m++] = cut;

@@ -12,7 +12,10 @@ namespace rb {
 namespace {
 
 Settings parse(std::vector<std::string> words) {
-    setenv("POVINI", "/dev/null", 1);  // no INI file of this machine
+    // An empty INI file, so that none of this machine counts.
+    const auto empty = std::filesystem::path(testing::TempDir()) / "empty.ini";
+    std::ofstream{empty};
+    setenv("POVINI", empty.c_str(), 1);
     setenv("HOME", "/nonexistent", 1);
     return parse_command_line(words).settings;
 }

@@ -127,5 +127,26 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Invariance,
                                          "transparency/refraction", "textures/layered", "language/macros"),
                          [](const auto& i) { return flat(i.param); });
 
+/// Meshes instead of exact shapes: the same picture within the error of the meshes.
+class Tessellated : public testing::TestWithParam<std::string> {};
+
+TEST_P(Tessellated, LooksLikeTheReference) {
+    const ImageCase c = read_case(source_dir / "scenes" / (GetParam() + ".pov"));
+    const fs::path got = work_dir() / (flat(c.name) + ".tessellated.png");
+    std::vector<std::string> words = arguments(c, got);
+    words.insert(words.end(), {"--geometry", "tessellate"});
+    ASSERT_EQ(run(words), exit_done);
+    const fs::path want = source_dir / "reference_images" / (c.name + ".png");
+    EXPECT_LE(compare(read_image(got.string()), read_image(want.string())).share_off, 0.001);
+    fs::remove(got);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Tessellated,
+                         testing::Values("shapes/sphere", "shapes/box", "shapes/cylinder", "shapes/cone",
+                                         "shapes/disc", "shapes/torus", "shapes/triangle",
+                                         "shapes/smooth_triangle", "shapes/mesh", "csg/difference",
+                                         "csg/nested", "csg/clipped_by", "gallery/still_life"),
+                         [](const auto& i) { return flat(i.param); });
+
 }  // namespace
 }  // namespace rb

@@ -141,6 +141,27 @@ TEST(Gamma, MeasuredPixels) {
     EXPECT_EQ(byte(file22, .1f), 90);
 }
 
+TEST(Gamma, CodeTableEqualsTheSlowTwin) {
+    for (const OutputEncoding& encoding : {OutputEncoding(GammaCurve{1.0}, GammaCurve{SrgbCurve{}}),
+                                           OutputEncoding(GammaCurve{2.2}, GammaCurve{SrgbCurve{}}),
+                                           OutputEncoding(GammaCurve{SrgbCurve{}}, GammaCurve{1.8})}) {
+        const CodeTable table(encoding);
+        const auto slow = [&](float v) {
+            const float encoded = encoding.encode(v);
+            return encoded > 0.0f ? static_cast<int>(std::min(encoded, 1.0f) * 255.0f + 0.5f) : 0;
+        };
+        for (int i = -1000; i < 200000; ++i) {
+            const float v = static_cast<float>(i) * 7.3e-6f;
+            ASSERT_EQ(table.code(v), slow(v)) << v;
+        }
+        for (const float v :
+             {0.0f, -0.0f, 1e-38f, 1e-45f, 1.0f, 2.0f, 1e30f, std::numeric_limits<float>::infinity()}) {
+            EXPECT_EQ(table.code(v), slow(v)) << v;
+        }
+        EXPECT_EQ(table.code(std::numeric_limits<float>::quiet_NaN()), 0);
+    }
+}
+
 TEST(Compare, CountsAndRmse) {
     Pixels a(20, 20, 3);
     Pixels b = a;

@@ -40,6 +40,7 @@ Outcome load(const std::string& text) {
     options.input_text = text;
     options.image_width = 160;
     options.image_height = 120;
+    options.max_tokens = 2'000'000;
     SourceMap sources;
     Diagnostics diagnostics;
     Scene scene;

@@ -1,0 +1,20 @@
+#pragma once
+#include "compile/probe.h"
+#include "language/oracle.h"
+
+namespace rb {
+
+/// Answers what the language asks of geometry with the renderer's own.
+class ProbeOracle final : public GeometryOracle {
+public:
+    std::optional<Hit> trace(const ObjectPtr& object, const Vec3& origin, const Vec3& direction) override;
+    bool inside(const ObjectPtr& object, const Vec3& point) override;
+    Bounds extent(const ObjectPtr& object) override;
+    bool has_inside(const ObjectPtr& object) override;
+    PatternPtr object_pattern(const ObjectPtr& object) override;
+
+private:
+    ObjectProbe probe_;
+};
+
+}  // namespace rb
