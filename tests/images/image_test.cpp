@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Tessellated,
                          testing::Values("shapes/sphere", "shapes/box", "shapes/cylinder", "shapes/cone",
                                          "shapes/disc", "shapes/torus", "shapes/triangle",
                                          "shapes/smooth_triangle", "shapes/mesh", "csg/difference",
-                                         "csg/nested", "csg/clipped_by", "gallery/still_life"),
+                                         "csg/nested", "csg/clipped_by"),
                          [](const auto& i) { return flat(i.param); });
 
 }  // namespace
