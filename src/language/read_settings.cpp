@@ -50,6 +50,7 @@ void read_radiosity(Session& session, const Block& block, const ReadContext& con
     }
     in.finish();
     session.scene.settings.wants_radiosity = true;
+    context.diagnostics->unsupported(block.where, "radiosity", "surfaces keep their ambient light");
 }
 
 void read_global_photons(Session& session, const Block& block, const ReadContext& context) {
@@ -69,6 +70,8 @@ void read_global_photons(Session& session, const Block& block, const ReadContext
     }
     in.finish();
     session.scene.settings.wants_photons = true;
+    context.diagnostics->unsupported(block.where, "photons",
+                                     "light goes straight through transparent objects");
 }
 
 void read_subsurface(Session& session, const Block& block, const ReadContext& context) {
@@ -85,6 +88,7 @@ void read_subsurface(Session& session, const Block& block, const ReadContext& co
     }
     in.finish();
     session.scene.settings.wants_subsurface = true;
+    context.diagnostics->unsupported(block.where, "subsurface", "surfaces are lit at their outside only");
 }
 
 void read_charset(Session& session, BlockReader& in) {

@@ -23,11 +23,18 @@ public:
             diagnostics_.unsupported(object->interior->where, "media", "the interior is clear");
         }
         if (const auto* csg = std::get_if<Csg>(&object->geometry); csg && csg->children) {
+            if (csg->cutaway_textures) {
+                diagnostics_.unsupported(object->where, "cutaway_textures",
+                                         "a cut shows the first texture found, not their mean");
+            }
             for (const ObjectPtr& child : *csg->children) this->object(child);
         }
         if (const auto* light = std::get_if<LightPtr>(&object->geometry)) {
             this->object((*light)->looks_like);
             this->object((*light)->projected_through);
+            if ((*light)->projected_through) {
+                diagnostics_.unsupported((*light)->where, "projected_through", "the light shines everywhere");
+            }
         }
         if (const auto* shape = std::get_if<ShapePtr>(&object->geometry); shape && *shape) {
             for (const TexturePtr& texture : (*shape)->textures()) layers(texture);
@@ -75,6 +82,10 @@ private:
 }  // namespace
 
 void report_unsupported(const Scene& scene, Diagnostics& diagnostics) {
+    const Camera& camera = scene.camera;
+    if (camera.aperture != 0.0 && camera.blur_samples > 0) {
+        diagnostics.unsupported(camera.where, "focal blur", "everything is sharp");
+    }
     Walk walk(diagnostics);
     for (const ObjectPtr& object : scene.objects) walk.object(object);
     if (scene.sky_sphere) {
