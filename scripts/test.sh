@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 scripts/install_packages.sh test
 
 echo "== formatting"
-git ls-files '*.cpp' '*.h' 2>/dev/null | xargs -r clang-format --dry-run -Werror
+find src grammar tests bench -name '*.cpp' -o -name '*.h' | xargs clang-format --dry-run -Werror
 
 build_and_test() {
     echo "== $1"
