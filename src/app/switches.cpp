@@ -112,7 +112,7 @@ void apply_switch(Settings& settings, std::string_view word) {
         std::string value(body.substr(s.name.size()));
         if (s.takes == Takes::nothing && !value.empty()) continue;
         if (s.takes == Takes::value && value.empty()) continue;
-        if (s.name == "A0") value = "0" + value;
+        if (s.name == "A0") value.insert(0, "0");
         if (!s.on_off.empty()) set_option(settings, s.on_off, on ? "on" : "off");
         // `-F` switches the file off; a letter after it would still name a type.
         if (!s.option.empty() && !value.empty()) set_option(settings, s.option, value);

@@ -151,7 +151,7 @@ RB_INLINE double gradient_noise(const Vec3& p, const GradientTables& tables) {
         const Vec3& g = tables.gradient[(ky + ((b[2] + dz) & mask)) & mask];
         value[corner] = (r[0] - dx) * g.x + (r[1] - dy) * g.y + (r[2] - dz) * g.z;
     }
-    for (unsigned i = 0; i < 4; ++i) value[i] = value[2 * i] + s[0] * (value[2 * i + 1] - value[2 * i]);
+    for (size_t i = 0; i < 4; ++i) value[i] = value[2 * i] + s[0] * (value[2 * i + 1] - value[2 * i]);
     const double near = value[0] + s[1] * (value[1] - value[0]);
     const double far = value[2] + s[1] * (value[3] - value[2]);
     return near + s[2] * (far - near);

@@ -106,7 +106,7 @@ private:
         const double speed = 1.0 / glm::length(d);
         d *= speed;
         const double t_of_u = size * speed;
-        const double R = major_ * unit;
+        const double major = major_ * unit;
         const double r = minor_ * unit;
         double middle = -glm::dot(o, d);
         Vec3 q = o + middle * d;
@@ -114,10 +114,10 @@ private:
         Interval in{query.t_min * u_of_t - middle, std::numeric_limits<double>::infinity()};
         // The end of the query only rejects, so that a root does not depend on it.
         if (!narrow(q, d, r, in) ||
-            passes_hole(q, d, R - r, {in.lo, std::min(in.hi, query.t_max * u_of_t - middle)}))
+            passes_hole(q, d, major - r, {in.lo, std::min(in.hi, query.t_max * u_of_t - middle)}))
             return 0;
 
-        const bool starts = starts_here(query, o, R, r);
+        const bool starts = starts_here(query, o, major, r);
         if (starts) {
             in.lo = std::max(in.lo + middle, query.t_min * u_of_t);
             in.hi += middle;
@@ -125,9 +125,9 @@ private:
             middle = 0.0;
         }
         const double rho = std::sqrt(q.x * q.x + q.z * q.z);
-        const double k = glm::dot(q, q) + R * R - r * r;
+        const double k = glm::dot(q, q) + major * major - r * r;
         const double b = glm::dot(q, d);
-        const double f = 4.0 * R * R;
+        const double f = 4.0 * major * major;
         const double c2 = 4.0 * b * b + 2.0 * k - f * (d.x * d.x + d.z * d.z);
         const double c1 = 4.0 * b * k - 2.0 * f * (q.x * d.x + q.z * d.z);
         int n = 0;
@@ -135,8 +135,8 @@ private:
             n = solve_cubic({1.0, 4.0 * b, c2, c1}, in.lo, in.hi, std::span<double, 3>(roots.data(), 3),
                             std::min(most, 3));
         } else {
-            const double across = rho - R;
-            const double c0 = (across * across + q.y * q.y - r * r) * (k + 2.0 * R * rho);
+            const double across = rho - major;
+            const double c0 = (across * across + q.y * q.y - r * r) * (k + 2.0 * major * rho);
             n = solve_quartic({1.0, 4.0 * b, c2, c1, c0}, in.lo, in.hi, roots, most);
         }
         for (int i = 0; i < n; ++i)
@@ -144,7 +144,7 @@ private:
         return n;
     }
 
-    bool starts_here(const ShapeRay& query, const Vec3& o, double R, double r) const {
+    bool starts_here(const ShapeRay& query, const Vec3& o, double major, double r) const {
         if (query.starts_on_surface) return true;
         if (!(query.origin_error > 0.0)) return false;
         const double error =
@@ -153,7 +153,7 @@ private:
         const auto is_near = [&](double across) {
             return std::abs(std::sqrt(across * across + o.y * o.y) - r) <= error;
         };
-        return is_near(rho - R) || is_near(rho + R);
+        return is_near(rho - major) || is_near(rho + major);
     }
 
     /// Cuts the interval to where the ray, which passes the centre nearest at `q`, is in the outer sphere and
