@@ -1,6 +1,7 @@
 // Constants, float and vector functions.
 #include "language/builtins.h"
 
+#include "language/float_functions.h"
 #include "language/read.h"
 #include "patterns/noise.h"
 
@@ -14,12 +15,7 @@ namespace rb {
 
 namespace {
 
-double whole(double value) {
-    if (!(std::abs(value) < 2147483648.0)) return -2147483648.0;
-    return std::trunc(value);
-}
-
-int32_t bits(double value) { return static_cast<int32_t>(whole(value)); }
+int32_t bits(double value) { return static_cast<int32_t>(whole_part(value)); }
 
 void want(std::span<const Operand> arguments, size_t least, size_t most, SourceRange where) {
     if (arguments.size() < least) {
@@ -58,79 +54,42 @@ double now_days() {
 
 double call_real1(Session& session, Keyword word, double a, SourceRange where) {
     switch (word) {
-        case Keyword::abs:
-            return std::abs(a);
-        case Keyword::ceil:
-            return std::ceil(a);
-        case Keyword::floor:
-            return std::floor(a);
-        case Keyword::exp:
-            return std::exp(a);
-        case Keyword::sin:
-            return std::sin(a);
-        case Keyword::cos:
-            return std::cos(a);
-        case Keyword::tan:
-            return std::tan(a);
-        case Keyword::sinh:
-            return std::sinh(a);
-        case Keyword::cosh:
-            return std::cosh(a);
-        case Keyword::tanh:
-            return std::tanh(a);
-        case Keyword::asinh:
-            return std::asinh(a);
-        case Keyword::acosh:
-            return std::acosh(a);
-        case Keyword::atanh:
-            return std::atanh(a);
-        case Keyword::atan:
-            return std::atan(a);
-        case Keyword::degrees:
-            return a * 180 / pi;
-        case Keyword::radians:
-            return a * pi / 180;
-        case Keyword::int_:
-            return whole(a);
         case Keyword::acos:
         case Keyword::asin:
             if (std::abs(a) > 1) {
                 session.warn(where, fmt::format("Domain error in {}.", keyword_spellings[word_of(word)]));
                 a = a > 0 ? 1 : -1;
             }
-            return word == Keyword::acos ? std::acos(a) : std::asin(a);
+            break;
         case Keyword::ln:
         case Keyword::log:
-            if (a <= 0)
+            if (a <= 0) {
                 session.fail(where,
                              fmt::format("{} of negative number {:f}", keyword_spellings[word_of(word)], a));
-            return word == Keyword::ln ? std::log(a) : std::log10(a);
+            }
+            break;
         case Keyword::sqrt:
             if (a < 0) session.fail(where, fmt::format("sqrt of negative number {:f}", a));
-            return std::sqrt(a);
+            break;
         case Keyword::seed:
             return static_cast<double>(session.random.open(a));
         case Keyword::rand:
             if (!session.random.known(a)) session.fail(where, "Illegal random number generator.");
             return session.random.next(static_cast<size_t>(a));
         default:
-            session.fail(where, "Unknown function");
+            break;
     }
+    const auto value = float_function(word, a);
+    if (!value) session.fail(where, "Unknown function");
+    return *value;
 }
 
 double call_real2(Session& session, Keyword word, double a, double b, SourceRange where) {
-    switch (word) {
-        case Keyword::atan2:
-            if (std::abs(a) <= 1e-10 && std::abs(b) <= 1e-10) session.fail(where, "Domain error in atan2!");
-            return std::atan2(a, b);
-        case Keyword::div:
-            return whole(a / b);
-        case Keyword::mod:
-            return std::fmod(a, b);
-        default:
-            if (a == 0 && b == 0) session.fail(where, "Domain error.");
-            return std::pow(a, b);
+    if (word == Keyword::atan2 && std::abs(a) <= 1e-10 && std::abs(b) <= 1e-10) {
+        session.fail(where, "Domain error in atan2!");
     }
+    if (word == Keyword::pow && a == 0 && b == 0) session.fail(where, "Domain error.");
+    return float_function(word, a, b).value_or(0);
 }
 
 double call_list(Keyword word, std::span<const Operand> arguments) {
@@ -221,7 +180,7 @@ Value call_vector(Session& session, Keyword word, std::span<const Operand> a, So
             return vector(rotate_about_axis(to_vec3(a[0]), to_vec3(a[1]), to_float(a[2])));
         default: {
             want(a, 4, 4, where);
-            const int octaves = static_cast<int>(std::clamp(whole(to_float(a[2])), 1.0, 10.0));
+            const int octaves = static_cast<int>(std::clamp(whole_part(to_float(a[2])), 1.0, 10.0));
             TurbulenceWarp shape;
             shape.octaves = octaves;
             shape.lambda = static_cast<float>(to_float(a[0]));

@@ -99,7 +99,7 @@ std::optional<Value> take_datum(Session& session, OpenFile& file) {
 
 }  // namespace
 
-void TokenStream::do_read(SourceRange) {
+TokenStream::NamedFile TokenStream::raw_open_file() {
     raw_expect(Tok::lparen, "(");
     const SourceRange where = range(raw_peek());
     const uint32_t word = raw_name("file identifier");
@@ -107,11 +107,15 @@ void TokenStream::do_read(SourceRange) {
     if (!handle.known() || !std::holds_alternative<OpenFilePtr>(handle.value())) {
         session_.fail(where, "Expected 'file identifier'");
     }
-    const OpenFilePtr file = std::get<OpenFilePtr>(handle.value());
-    const std::string name(session_.words.spelling(word));
+    return {std::get<OpenFilePtr>(handle.value()), word, where};
+}
+
+void TokenStream::do_read(SourceRange) {
+    const auto [file, word, where] = raw_open_file();
     if (file->mode != OpenFile::Mode::read) {
-        session_.fail(
-            where, fmt::format("Cannot read from file {} because the file is open for writing only.", name));
+        session_.fail(where,
+                      fmt::format("Cannot read from file {} because the file is open for writing only.",
+                                  session_.words.spelling(word)));
     }
     bool at_end = false;
     while (raw_peek().kind != Tok::rparen) {
@@ -202,14 +206,7 @@ std::string written(const Operand& operand) {
 }  // namespace
 
 void TokenStream::do_write(SourceRange) {
-    raw_expect(Tok::lparen, "(");
-    const SourceRange where = range(raw_peek());
-    const uint32_t word = raw_name("file identifier");
-    const Place handle = session_.symbols.find_place(word);
-    if (!handle.known() || !std::holds_alternative<OpenFilePtr>(handle.value())) {
-        session_.fail(where, "Expected 'file identifier'");
-    }
-    const OpenFilePtr file = std::get<OpenFilePtr>(handle.value());
+    const auto [file, word, where] = raw_open_file();
     if (file->mode == OpenFile::Mode::read) {
         session_.fail(where, fmt::format("Cannot write to file {} because the file is open for reading only.",
                                          session_.words.spelling(word)));

@@ -1,6 +1,7 @@
 #include "language/function_code.h"
 
 #include "grammar/token.h"
+#include "language/float_functions.h"
 
 #include <algorithm>
 #include <array>
@@ -11,77 +12,6 @@ namespace rb {
 namespace {
 
 using Op = FunctionCode::Op;
-
-double truncate_to_int(double value) {
-    if (!(std::abs(value) < 2147483648.0)) return -2147483648.0;
-    return std::trunc(value);
-}
-
-double call1(Keyword f, double a) {
-    switch (f) {
-        case Keyword::sin:
-            return std::sin(a);
-        case Keyword::cos:
-            return std::cos(a);
-        case Keyword::tan:
-            return std::tan(a);
-        case Keyword::asin:
-            return std::asin(a);
-        case Keyword::acos:
-            return std::acos(a);
-        case Keyword::atan:
-            return std::atan(a);
-        case Keyword::sinh:
-            return std::sinh(a);
-        case Keyword::cosh:
-            return std::cosh(a);
-        case Keyword::tanh:
-            return std::tanh(a);
-        case Keyword::asinh:
-            return std::asinh(a);
-        case Keyword::acosh:
-            return std::acosh(a);
-        case Keyword::atanh:
-            return std::atanh(a);
-        case Keyword::abs:
-            return std::abs(a);
-        case Keyword::radians:
-            return a * 3.14159265358979323846 / 180;
-        case Keyword::degrees:
-            return a * 180 / 3.14159265358979323846;
-        case Keyword::int_:
-            return truncate_to_int(a);
-        case Keyword::floor:
-            return std::floor(a);
-        case Keyword::ceil:
-            return std::ceil(a);
-        case Keyword::sqrt:
-            return std::sqrt(a);
-        case Keyword::exp:
-            return std::exp(a);
-        case Keyword::ln:
-            return std::log(a);
-        case Keyword::log:
-            return std::log10(a);
-        default:
-            return 0;
-    }
-}
-
-double call2(Keyword f, double a, double b) {
-    switch (f) {
-        case Keyword::atan2:
-            return std::atan2(a, b);
-        case Keyword::mod:
-            return std::fmod(a, b);
-        case Keyword::pow:
-            return std::pow(a, b);
-        case Keyword::div:
-            return truncate_to_int(a / b);
-        default:
-            return 0;
-    }
-}
 
 class Compiler {
 public:
@@ -287,11 +217,11 @@ void FunctionCode::run(double* variable, double* stack_base, double& result) con
                 --top;
                 break;
             case Op::call1:
-                *top = call1(static_cast<Keyword>(i.index), *top);
+                *top = float_function(static_cast<Keyword>(i.index), *top).value_or(0);
                 break;
             case Op::call2:
                 --top;
-                *top = call2(static_cast<Keyword>(i.index), top[0], top[1]);
+                *top = float_function(static_cast<Keyword>(i.index), top[0], top[1]).value_or(0);
                 break;
             case Op::call3:
             case Op::call4:

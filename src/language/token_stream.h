@@ -99,6 +99,13 @@ private:
     SourceRange range(const Token& token) { return top().tokens->range(token); }
     uint32_t raw_name(std::string_view expected);
     void raw_expect(Tok kind, std::string_view spelling);
+    /// `( NAME`: the identifier of an open file.
+    struct NamedFile {
+        OpenFilePtr file;
+        uint32_t word = 0;
+        SourceRange where;
+    };
+    NamedFile raw_open_file();
     std::string found(const Token& token);
     /// The array element whose subscripts follow.
     Place raw_element(const Place& array, SourceRange where);

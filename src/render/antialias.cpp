@@ -1,6 +1,7 @@
 #include "render/antialias.h"
 
 #include "math/jitter.h"
+#include "math/random.h"
 
 #include <algorithm>
 #include <bit>
@@ -84,7 +85,7 @@ void Sampler::sample(std::span<const Vec2> positions, std::vector<Radiance>& out
     for (const Vec2& p : positions) {
         CameraRay& ray = batch_.emplace_back();
         ray.exists = rays_.at(p.x, p.y, ray.ray);
-        ray.seed = mix(std::bit_cast<uint64_t>(p.x) ^ mix(std::bit_cast<uint64_t>(p.y)));
+        ray.seed = mixed(mixed(0, std::bit_cast<uint64_t>(p.x)), std::bit_cast<uint64_t>(p.y));
     }
     out.resize(positions.size());
     integrator_.trace(batch_, out, counters_);

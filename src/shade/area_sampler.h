@@ -1,7 +1,7 @@
 #pragma once
+#include "math/random.h"
 #include "patterns/scratch.h"
 #include "shade/light_program.h"
-#include "shade/random.h"
 
 namespace rb {
 

@@ -1,7 +1,7 @@
 #include "shade/direct_light.h"
 
+#include "math/random.h"
 #include "shade/area_sampler.h"
-#include "shade/random.h"
 
 #include <cmath>
 

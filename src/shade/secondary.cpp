@@ -1,6 +1,6 @@
 #include "shade/secondary.h"
 
-#include "shade/random.h"
+#include "math/random.h"
 #include "shade/shadow.h"
 #include "shade/spectrum.h"
 

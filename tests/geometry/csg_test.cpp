@@ -242,7 +242,7 @@ TEST(Csg, InteriorsOfSolidsThatHoldAPoint) {
 TEST(Csg, VisibilityFlags) {
     const World world =
         world_of({object_from("sphere{0,1 no_shadow}"), object_from("sphere{5,1 no_image}"),
-                  object_from("union{sphere{<9,0,0>,1 no_image} sphere{<12,0,0>,1} no_split}")});
+                  object_from("union{sphere{<9,0,0>,1 no_image} sphere{<12,0,0>,1} split_union off}")});
     const auto& leaves = world.geometry->leaves();
     EXPECT_EQ(leaves[0].mask & (blocks_light | filters_light), 0);
     EXPECT_EQ(leaves[1].mask & seen_by_image, 0);

@@ -158,19 +158,10 @@ TEST_F(Inherit, UnsupportedShapesAreReportedAndLeftOut) {
 }
 
 TEST_F(Inherit, MeshFacesBlendTheirTextures) {
-    const auto block = block_from(
-        "mesh2{vertex_vectors{3,<0,0,0>,<1,0,0>,<0,1,0>} texture_list{3 texture{a} texture{b} texture{c}} "
-        "face_indices{1,<0,1,2>,0,1,2}}");
-    ReadContext context;
-    context.diagnostics = &diagnostics;
-    context.read_texture = [](const Block& texture, const ReadContext&) {
-        return coloured({texture.items[0].text == "a" ? 1.0f : 0.0f,
-                         texture.items[0].text == "b" ? 1.0f : 0.0f,
-                         texture.items[0].text == "c" ? 1.0f : 0.0f, 0, 0});
-    };
-    BlockReader in(*block, context);
-    auto object = std::make_shared<Object>();
-    object->geometry = find_shape("mesh2")->read(in);
+    const ObjectPtr object = object_from(
+        "mesh2{vertex_vectors{3,<0,0,0>,<1,0,0>,<0,1,0>} texture_list{3 texture{pigment{rgb x}} "
+        "texture{pigment{rgb y}} "
+        "texture{pigment{rgb z}}} face_indices{1,<0,1,2>,0,1,2}}");
     const World w = world({object});
     Hit hit;
     seen(w, {.5, .2, -5}, {0, 0, 1}, hit);

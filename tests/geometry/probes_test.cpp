@@ -222,7 +222,7 @@ TEST(Probes, P60RotationSense) {
 }
 
 TEST(Probes, P61MatrixOrder) {
-    Probe o("sphere{<1,2,3>,.1 matrix <1,2,3> <4,5,6> <7,8,10> <11,12,13> scale 0.01}");
+    Probe o("sphere{<1,2,3>,.1 matrix <1,2,3,4,5,6,7,8,10,11,12,13> scale 0.01}");
     expect_near(o.extent().lo, {.398, .465, .561}, "min");
     expect_near(o.extent().hi, {.422, .495, .599}, "max");
 }

@@ -100,9 +100,11 @@ TEST_P(EveryShape, BoundsHoldEveryHit) {
     }
 }
 
-TEST_P(EveryShape, CrossingsAlternateAndAgreeWithInside) {
+/// Shapes that bound a body (a disc's inside is a half-space, a patch has none).
+class EverySolid : public EveryShape {};
+
+TEST_P(EverySolid, CrossingsAlternateAndAgreeWithInside) {
     const ShapePtr s = shape();
-    if (s->is_patch() || s->keyword() == "disc") GTEST_SKIP() << "no solid of its own";
     Dice dice(3);
     int odd = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -186,8 +188,6 @@ TEST_P(EveryShape, NoSelfHitsAtAnyScale) {
 }
 
 TEST_P(EveryShape, TransformedIsTheSameAsATransformBesideIt) {
-    if (kind().keyword == "smooth_triangle")
-        GTEST_SKIP() << "the language normalises its vertex normals again";
     Dice dice(5);
     const Transform map =
         then(then(Transform::scaling({1.3, 0.7, 0.9}), Transform::rotation_deg({15, 25, 35})),
@@ -207,6 +207,9 @@ TEST_P(EveryShape, TransformedIsTheSameAsATransformBesideIt) {
             EXPECT_EQ(hit, wanted);
             if (!hit || !wanted) continue;
             EXPECT_NEAR(a.t, b.t, 1e-10);
+            // The language makes vertex normals unit again after each transformation: a map that stretches
+            // one way more than another changes what lies between them.
+            if (kind().keyword == "smooth_triangle" && t == map) continue;
             const Vec3 n = glm::normalize(moved->normal(from + a.t * d, a));
             const Vec3 m = glm::normalize(t.normal(s->normal(t.inverse_point(from + b.t * d), b)));
             // Triangles may turn over (language rule).
@@ -287,6 +290,17 @@ TEST_P(EveryShape, NonsenseArgumentsAreRefusedOrHarmless) {
     EXPECT_FALSE(s->describe().empty());
 }
 
+std::vector<const ShapeKind*> solid_kinds() {
+    std::vector<const ShapeKind*> kinds;
+    for (const ShapeKind* kind : all_shapes()) {
+        const auto shape = std::get<ShapePtr>(object_from(kind->example)->geometry);
+        if (!shape->is_patch() && kind->keyword != "disc") kinds.push_back(kind);
+    }
+    return kinds;
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EverySolid, testing::ValuesIn(solid_kinds()),
+                         [](const auto& test) { return std::string(test.param->keyword); });
 INSTANTIATE_TEST_SUITE_P(Registry, EveryShape, testing::ValuesIn(all_shapes().begin(), all_shapes().end()),
                          [](const auto& test) { return std::string(test.param->keyword); });
 

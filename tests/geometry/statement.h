@@ -1,19 +1,15 @@
 #pragma once
-#include "base/diagnostics.h"
-#include "block/block.h"
-#include "scene/object.h"
+#include "scene/scene.h"
 
 #include <string_view>
 
 namespace rb {
 
-/// Reads one object statement through the shapes' readers: numbers, vectors, nested blocks, CSG,
-/// transformations, `inverse`, `clipped_by`, `bounded_by`. The language itself is not needed for it (and not
-/// used).
-ObjectPtr object_from(std::string_view text);
+/// What the front end makes of the text of a scene (version 3.7). Throws SceneError with the first mistake.
+Scene scene_from(std::string_view text);
 
-/// The same text as a block.
-std::shared_ptr<const Block> block_from(std::string_view text);
+/// The first object of that scene.
+ObjectPtr object_from(std::string_view text);
 
 /// One plain opaque texture.
 TexturePtr plain_texture();

@@ -26,7 +26,7 @@ std::string errors_of(const std::string& text, const fs::path& folder) {
 }
 
 TEST(Sample, IncludeFilesLoad) {
-    if (!fs::exists(includes)) GTEST_SKIP();
+    ASSERT_TRUE(fs::exists(includes)) << "install povray-includes";
     for (const auto& entry : fs::directory_iterator(includes)) {
         if (entry.path().extension() != ".inc") continue;
         const std::string name = entry.path().filename().string();
@@ -38,7 +38,7 @@ TEST(Sample, IncludeFilesLoad) {
 }
 
 TEST(Sample, ScenesLoad) {
-    if (!fs::exists(examples)) GTEST_SKIP();
+    ASSERT_TRUE(fs::exists(examples)) << "install povray-examples";
     constexpr const char* names[] = {"advanced/sombrero",
                                      "advanced/bwstripe",
                                      "advanced/teapot/teapot2",

@@ -27,7 +27,8 @@ TEST(Patterns, MatchTheMeasuredValues) {
 
 TEST(Patterns, ExamplesOfTheRegistryCanBeReadAndEvaluated) {
     for (const PatternKind* kind : all_patterns()) {
-        const WrittenPattern written = pattern_of(std::string(kind->example));
+        // Facets is a normal only.
+        const Normal written = written_normal(std::string(kind->example));
         ASSERT_TRUE(written.pattern) << kind->keyword;
         EXPECT_EQ(written.pattern->keyword(), kind->keyword);
         std::array<double, 4> values{};
@@ -96,16 +97,6 @@ TEST(Pigments, AverageAndChildrenBlend) {
     EXPECT_EQ(color, (Color{0.375f, 0.375f, 0.625f, 0, 0}));
 }
 
-Normal normal_of(const WrittenPattern& written) {
-    Normal normal;
-    normal.pattern = written.pattern;
-    normal.modifiers = written.modifiers;
-    normal.amount = written.amount;
-    normal.accuracy = written.accuracy;
-    normal.no_bump_scale = written.no_bump_scale;
-    return normal;
-}
-
 constexpr std::array<Vec3, 3> plane_points{Vec3{0.5, 0, 1.5}, Vec3{-2.5, 0, 0.5}, Vec3{1.5, 0, -3.5}};
 
 void expect_normals(const Normal& normal, const double (&expected)[3][3], const char* text) {
@@ -120,32 +111,31 @@ void expect_normals(const Normal& normal, const double (&expected)[3][3], const 
 }
 
 TEST(Normals, MatchTheMeasuredValues) {
-    for (const NormalRow& row : normal_rows)
-        expect_normals(normal_of(pattern_of(row.text)), row.normal, row.text);
+    for (const NormalRow& row : normal_rows) expect_normals(written_normal(row.text), row.normal, row.text);
 }
 
 TEST(Normals, SlopeMapIsFollowedByGenericPatternsOnly) {
-    Normal crackle = normal_of(pattern_of("crackle 1"));
+    Normal crackle = written_normal("crackle 1");
     crackle.map =
         BlendMap<HeightSlope>{{0.0f, {0, 1}}, {0.3f, {0.5f, 0.2f}}, {0.6f, {0.2f, -1}}, {1.0f, {0.4f, 0}}};
     expect_normals(crackle,
                    {{-0.5557, 0.8026, -0.2170}, {-0.0307, 0.9990, -0.0315}, {-0.0473, 0.9909, 0.1258}},
                    "crackle");
-    Normal bumps = normal_of(pattern_of("bumps 1"));
+    Normal bumps = written_normal("bumps 1");
     bumps.map = BlendMap<HeightSlope>{{0.0f, {0, 1}}, {1.0f, {1, 0}}};
     expect_normals(bumps, {{-0.2798, 0.9580, 0.0624}, {-0.1451, 0.9776, -0.1523}, {0.0538, 0.9985, -0.0140}},
                    "bumps");
 }
 
-NormalPtr shared_normal(const char* text) { return std::make_shared<Normal>(normal_of(pattern_of(text))); }
+NormalPtr shared_normal(const char* text) { return std::make_shared<Normal>(written_normal(text)); }
 
 TEST(Normals, MapsListsAndAveragesMatchTheMeasuredValues) {
-    Normal map = normal_of(pattern_of("gradient x scale 4"));
+    Normal map = written_normal("gradient x scale 4");
     map.map = BlendMap<NormalPtr>{{0.2f, shared_normal("bumps 0.6")},
                                   {0.8f, shared_normal("ripples 0.5 scale 0.5")}};
     expect_normals(map, {{-0.0146, 0.9782, -0.2070}, {-0.0673, 0.9977, 0.0018}, {-0.1888, 0.9487, 0.2538}},
                    "normal_map");
-    Normal average = normal_of(pattern_of("bozo translate 0.1"));
+    Normal average = written_normal("bozo translate 0.1");
     average.pattern = nullptr;
     average.average = true;
     average.map =
@@ -153,7 +143,7 @@ TEST(Normals, MapsListsAndAveragesMatchTheMeasuredValues) {
     expect_normals(average,
                    {{-0.0767, 0.9970, 0.0085}, {-0.0481, 0.9987, -0.0187}, {-0.0094, 0.9997, -0.0220}},
                    "average");
-    Normal list = normal_of(pattern_of("checker translate 0.01"));
+    Normal list = written_normal("checker translate 0.01");
     list.map = BlendMap<NormalPtr>{{0.0f, shared_normal("bumps 0.6")}, {1.0f, shared_normal("waves 0.2")}};
     expect_normals(list, {{-0.1789, 0.9831, 0.0401}, {-0.0923, 0.9913, -0.0942}, {0.0392, 0.9991, -0.0181}},
                    "checker list");

@@ -235,12 +235,7 @@ TEST(Textures, BlendsShadeBothChildren) {
 TEST(Textures, PlaceOfTheObjectIsPartOfTheTexture) {
     const Transform place = then(Transform::scaling({1, 2, 3}), Transform::rotation_deg({30, 40, 50}));
     for (const char* bumps : {"bumps 0.8", "bumps 0.8 no_bump_scale", "gradient x 0.5 sine_wave"}) {
-        const WrittenPattern written = pattern_of(bumps);
-        auto normal = std::make_shared<Normal>();
-        normal->pattern = written.pattern;
-        normal->modifiers = written.modifiers;
-        normal->amount = written.amount;
-        normal->no_bump_scale = written.no_bump_scale;
+        auto normal = std::make_shared<Normal>(written_normal(bumps));
         Texture texture = plain(grey_color(1), diffuse_only());
         texture.normal = normal;
         auto pigment = std::make_shared<Pigment>();
