@@ -79,6 +79,7 @@ RenderOptions render_options(const Settings& settings) {
     if (!settings.antialias) options.antialias.method = 0;
     options.antialias.jitter = settings.jitter ? settings.jitter_amount : 0.0;
     options.shading.quality = settings.quality;
+    options.shading.skip_unneeded = settings.skip_unneeded;
     options.shading.alpha_output = settings.alpha;
     return options;
 }
@@ -90,7 +91,6 @@ CompileOptions compile_options(const Settings& settings) {
     options.image_width = settings.width;
     options.image_height = settings.height;
     options.threads = settings.threads;
-    options.skip_unneeded = settings.skip_unneeded;
     options.brute_force = settings.brute_force;
     return options;
 }

@@ -103,7 +103,6 @@ struct CompileOptions {
     int image_width = 160;
     int image_height = 120;
     int threads = 0;
-    bool skip_unneeded = true;  ///< false: build and keep everything (`--no-skip`); same picture
     bool brute_force = false;   ///< no kD-trees: every ray meets every leaf (the trees' slow twin)
 };
 

@@ -58,7 +58,7 @@ void look(BlockReader& in, CameraDraft& draft, SourceRange at) {
     const double aside = glm::length(camera.right);
     const double handed = glm::dot(glm::cross(camera.up, camera.direction), camera.right);
     const Vec3 to = draft.look_at - camera.location;
-    if (glm::dot(to, to) < tiny) in.fail_at(at, "Camera location and look_at point must be different.");
+    if (to == Vec3{0.0}) in.fail_at(at, "Camera location and look_at point must be different.");
     camera.direction = glm::normalize(to);
     Vec3 right = glm::cross(draft.sky, camera.direction);
     if (std::abs(right.x) < tiny && std::abs(right.y) < tiny && std::abs(right.z) < tiny) {

@@ -22,6 +22,9 @@ struct CameraRay {
 };
 
 struct ShadingOptions {
+    /// False: keep interior lists, surface coordinates and both kinds of shadow rays although nothing in the
+    /// scene asks for them; same picture.
+    bool skip_unneeded = true;
     int quality = 9;            ///< +Q, 0..9
     bool alpha_output = false;  ///< +UA
 };

@@ -17,14 +17,15 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
     add_surfaces();
     add_lights();
     for (const SurfaceMask kind : {blocks_light, filters_light}) {
-        if (geometry.has(kind)) shadow_mask |= kind;
+        if (geometry.has(kind) || !options.skip_unneeded) shadow_mask |= kind;
     }
     if (tracks_interiors) camera_interiors = geometry.interiors_at(world.camera.location);
 }
 
 void ShadingProgram::add_surfaces() {
     const TextureSettings settings{patterns, world.settings.ambient_light, options.quality};
-    tracks_interiors = !fog.empty();
+    tracks_interiors = !fog.empty() || !options.skip_unneeded;
+    needs_samples = !options.skip_unneeded;
     std::map<const TextureLayers*, uint32_t> known;
     const auto compiled = [&](const WornTexture& worn) {
         const auto [entry, is_new] =
@@ -51,7 +52,7 @@ void ShadingProgram::add_surfaces() {
         program.double_illuminate = surface.double_illuminate;
         const bool asked = textures[looks[program.look].texture].needs_surface ||
                            textures[looks[program.interior_look].texture].needs_surface;
-        program.needs_uv = surface.uv_mapping || asked;
+        program.needs_uv = surface.uv_mapping || asked || !options.skip_unneeded;
         needs_samples = needs_samples || asked;
         surfaces.push_back(program);
     }

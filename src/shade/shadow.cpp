@@ -17,8 +17,9 @@ float difference(const Rgb& a, const Rgb& b) {
     return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
 }
 
-/// What lies this near to a light does not shade it: 0.001 as in the language, less for tiny scenes.
-double shadow_reach(double distance) { return distance - std::min(1e-3, 1e-4 * distance); }
+/// What lies at the light itself, up to rounding, does not shade it. (The reference leaves out 0.001 units,
+/// whatever the scene's size.)
+double shadow_reach(double distance) { return distance * (1.0 - 1e-6); }
 
 }  // namespace
 
