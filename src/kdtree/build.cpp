@@ -51,7 +51,8 @@ public:
         : tree_(tree), options_(options), clip_(clip) {
         for (size_t n = 0; n < block_costs_.size(); ++n) {
             const auto w = static_cast<size_t>(options.block);
-            block_costs_[n] = options.element_cost * static_cast<double>((n + w - 1) / w);
+            const auto blocks = (n + w - 1) / w;
+            block_costs_[n] = options.element_cost * static_cast<double>(blocks);
         }
         BoxF hull = empty_box;
         references_.reserve(count + count / 8);

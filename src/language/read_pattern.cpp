@@ -290,8 +290,7 @@ bool take_modifier(BlockReader& in, PatternModifiers& modifiers) {
             in.fail_at(at, "noise_generator must be 0, 1, 2 or 3.");
         }
     } else if (in.at_block("warp")) {
-        Warp warp = read_warp(in.block("warp"), in.context());
-        modifiers.warps.insert(modifiers.warps.begin(), std::move(warp));
+        modifiers.warps.insert(modifiers.warps.begin(), read_warp(in.block("warp"), in.context()));
     } else {
         return take_wave(in, modifiers);
     }

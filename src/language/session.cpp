@@ -150,7 +150,7 @@ bool is_string_word(Keyword word) {
 }
 
 std::string name_text(const Value& value) {
-    const std::string kind = kind_name(value);
+    std::string kind = kind_name(value);
     if (const auto* terms = std::get_if<Terms>(&value)) {
         return fmt::format("{} function '{}'", terms->count == 1 ? "float" : "vector", kind);
     }

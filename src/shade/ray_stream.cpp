@@ -103,10 +103,10 @@ void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgr
     const Vec3& direction = state_.rays[ray_index].ray.direction;
     const bool from_inside = glm::dot(hit.normal, direction) > 0.0;
     const size_t index = state_.hits.size();
-    state_.hits.emplace_back(hit.point, from_inside ? -hit.normal : hit.normal, direction, hit.t, hit.error,
-                             ray_index, hit.leaf, hit.crossing.part,
-                             from_inside ? surface.interior_look : surface.look, surface.interior, weight,
-                             alpha, surface.uv_mapping, surface.double_illuminate);
+    state_.hits.push_back({hit.point, from_inside ? -hit.normal : hit.normal, direction, hit.t, hit.error,
+                           ray_index, hit.leaf, hit.crossing.part,
+                           from_inside ? surface.interior_look : surface.look, surface.interior, weight,
+                           alpha, surface.uv_mapping, surface.double_illuminate});
     if (!surface.needs_uv) return;
     if (state_.uv.size() <= index) state_.uv.resize(index + 1);
     state_.uv[index] = program_.geometry.uv(hit);
