@@ -103,7 +103,7 @@ struct CompileOptions {
     int image_width = 160;
     int image_height = 120;
     int threads = 0;
-    bool brute_force = false;   ///< no kD-trees: every ray meets every leaf (the trees' slow twin)
+    bool brute_force = false;  ///< no kD-trees: every ray meets every leaf (the trees' slow twin)
 };
 
 /// Scene to World: flattens CSG, hands down textures and interiors, bakes transforms, builds the trees.
