@@ -149,7 +149,28 @@ void fill_hit(const Geometry::Parts& parts, const RayQuery& query, Hit& hit) {
 
 }  // namespace
 
-bool Geometry::closest(const RayQuery& query, Hit& hit) const {
+bool Geometry::candidates(const RayBundle& bundle, uint8_t mask, uint32_t origin_leaf,
+                          Candidates& out) const {
+    const Parts& p = *parts;
+    // Beyond that, single precision bounds nothing.
+    constexpr double limit = 1e30;
+    if (!(largest(bundle.origins.lo) < limit && largest(bundle.origins.hi) < limit)) return false;
+    out.listed_count = 0;
+    for (uint32_t i = 0; i < p.listed; ++i) {
+        const Element& e = p.elements[i];
+        if ((e.mask & mask) == 0) continue;
+        const PlaneTest& plane = p.planes[i];
+        if (plane.normal != Vec3{0.0}) {
+            // A plane hides nothing from its own points.
+            if (e.leaf == origin_leaf || bundle.misses_plane(plane.normal, plane.distance)) continue;
+        }
+        if (out.listed_count == Candidates::most_listed) return false;
+        out.listed[out.listed_count++] = i;
+    }
+    return out.boxes.gather(p.tree, bundle, mask);
+}
+
+bool Geometry::closest(const RayQuery& query, Hit& hit, const Candidates* candidates) const {
     const Parts& p = *parts;
     const Search search(p, query);
     double t_best = query.t_max;
@@ -162,19 +183,26 @@ bool Geometry::closest(const RayQuery& query, Hit& hit) const {
         hit.leaf = leaf;
         hit.crossing = crossing;
     };
-    for (uint32_t i = 0; i < p.listed; ++i) {
+    const auto try_listed = [&](uint32_t i) {
         if (search.test_listed<false>(i, t_best, crossing)) take(i);
-    }
-    p.tree.walk(query.ray, query.mask, search.t_min(), t_best, [&](uint32_t i) {
+    };
+    const auto try_boxed = [&](uint32_t i) {
         if (search.test<false>(p.listed + i, t_best, crossing)) take(p.listed + i);
         return false;
-    });
+    };
+    if (candidates) {
+        for (size_t i = 0; i < candidates->listed_count; ++i) try_listed(candidates->listed[i]);
+        candidates->boxes.walk(query.ray, query.mask, search.t_min(), t_best, try_boxed);
+    } else {
+        for (uint32_t i = 0; i < p.listed; ++i) try_listed(i);
+        p.tree.walk(query.ray, query.mask, search.t_min(), t_best, try_boxed);
+    }
     if (hit.leaf == no_leaf) return false;
     fill_hit(p, query, hit);
     return true;
 }
 
-bool Geometry::occluded(const RayQuery& query, uint32_t& blocker) const {
+bool Geometry::occluded(const RayQuery& query, uint32_t& blocker, const Candidates* candidates) const {
     const Parts& p = *parts;
     const Search search(p, query);
     Crossing crossing;
@@ -191,13 +219,23 @@ bool Geometry::occluded(const RayQuery& query, uint32_t& blocker) const {
             if (search.test<true>(tried, query.t_max, crossing)) return takes(tried);
         }
     }
-    for (uint32_t i = 0; i < p.listed; ++i) {
-        if (i != tried && search.test_listed<true>(i, query.t_max, crossing)) return takes(i);
-    }
-    return p.tree.walk(query.ray, query.mask, search.t_min(), query.t_max, [&](uint32_t i) {
+    const auto listed_blocks = [&](uint32_t i) {
+        return i != tried && search.test_listed<true>(i, query.t_max, crossing) && takes(i);
+    };
+    const auto boxed_blocks = [&](uint32_t i) {
         const uint32_t element = p.listed + i;
         return element != tried && search.test<true>(element, query.t_max, crossing) && takes(element);
-    });
+    };
+    if (candidates) {
+        for (size_t i = 0; i < candidates->listed_count; ++i) {
+            if (listed_blocks(candidates->listed[i])) return true;
+        }
+        return candidates->boxes.walk(query.ray, query.mask, search.t_min(), query.t_max, boxed_blocks);
+    }
+    for (uint32_t i = 0; i < p.listed; ++i) {
+        if (listed_blocks(i)) return true;
+    }
+    return p.tree.walk(query.ray, query.mask, search.t_min(), query.t_max, boxed_blocks);
 }
 
 std::vector<uint32_t> Geometry::interiors_at(const Vec3& p) const {

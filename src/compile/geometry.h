@@ -1,4 +1,5 @@
 #pragma once
+#include "compile/candidates.h"
 #include "compile/world.h"
 
 namespace rb {
@@ -13,13 +14,18 @@ public:
     const std::vector<Leaf>& leaves() const;
     const Leaf& leaf(uint32_t index) const { return leaves()[index]; }
 
-    /// The nearest crossing that counts (CSG, clips, mask), beyond the origin and before t_max.
-    bool closest(const RayQuery& query, Hit& hit) const;
+    /// What rays of the bundle with any of the mask's bits may meet; false if that is too much to be listed.
+    /// `origin_leaf`: the leaf on whose surface all of them start, or no_leaf.
+    bool candidates(const RayBundle& bundle, uint8_t mask, uint32_t origin_leaf, Candidates& out) const;
+
+    /// The nearest crossing that counts (CSG, clips, mask), beyond the origin and before t_max. `candidates`,
+    /// here and below: of a bundle that holds the ray, or null.
+    bool closest(const RayQuery& query, Hit& hit, const Candidates* candidates = nullptr) const;
 
     /// True if anything with one of the query's mask bits lies before t_max; no order, first found wins.
     /// `blocker` (in: a leaf to try first, or no_leaf; out: the leaf that blocked) makes the next query of a
     /// similar ray cheap.
-    bool occluded(const RayQuery& query, uint32_t& blocker) const;
+    bool occluded(const RayQuery& query, uint32_t& blocker, const Candidates* candidates = nullptr) const;
 
     /// True if any leaf carries one of these bits: a query that asks only for absent bits can be skipped.
     bool has(uint8_t mask) const;

@@ -90,6 +90,7 @@ public:
 
 private:
     friend class BoxTreeBuilder;
+    friend class BoxList;
     static constexpr uint32_t element_bit = 1u << 31;
     struct alignas(64) Node {
         float planes[3][2][4];

@@ -3,6 +3,7 @@
 #include "math/random.h"
 #include "shade/area_sampler.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rb {
@@ -10,6 +11,7 @@ namespace rb {
 namespace {
 
 constexpr double facing_limit = 1e-10;
+constexpr size_t bundle_size = 32;
 
 bool is_black(const Rgb& c) {
     return std::abs(c.x) < 1e-10f && std::abs(c.y) < 1e-10f && std::abs(c.z) < 1e-10f;
@@ -51,13 +53,40 @@ void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, Shado
         }
         const size_t facing = find_facing(finish, source, rows, reached);
         const size_t lit = find_lit(finish, light, rows, reached.first(facing));
-        for (const Reached& place : reached.first(lit)) {
-            LitRow& row = rows[place.row];
-            Rgb sum = place.share * arriving(light, row, place.way, place.color, memory);
-            if (has_film) sum *= thin_film(finish, row, place.way.direction);
-            row.light += sum;
+        for (size_t begin = 0; begin < lit; begin += bundle_size) {
+            const auto places = reached.subspan(begin, std::min(bundle_size, lit - begin));
+            const Candidates* between = candidates(source, rows, places);
+            for (const Reached& place : places) {
+                LitRow& row = rows[place.row];
+                Rgb sum = place.share * arriving(light, row, place.way, place.color, between, memory);
+                if (has_film) sum *= thin_film(finish, row, place.way.direction);
+                row.light += sum;
+            }
         }
     }
+}
+
+/// What may be between a light and places that it reaches; null if that is too much, or of no use.
+const Candidates* DirectLight::candidates(const LightProgram& source, std::span<const LitRow> rows,
+                                          std::span<const Reached> places) {
+    constexpr size_t fewest = 4;
+    if (!program_.options.skip_unneeded || source.is_shadowless() || places.size() < fewest) return nullptr;
+    // The directions of these differ from sample to sample.
+    if (source.is_directed() && source.light().is_area) return nullptr;
+    Bounds points;
+    Bounds ends;
+    uint32_t leaf = state_.hits[rows[places.front().row].hit].leaf;
+    for (const Reached& place : places) {
+        const HitPoint& hit = state_.hits[rows[place.row].hit];
+        points.include(hit.point);
+        ends.include(hit.point + place.way.distance * place.way.direction);
+        if (hit.leaf != leaf) leaf = no_leaf;
+    }
+    ends.lo -= source.area_reach();
+    ends.hi += source.area_reach();
+    const RayBundle bundle = RayBundle::between(points, ends);
+    return program_.geometry.candidates(bundle, program_.shadow_mask, leaf, candidates_) ? &candidates_
+                                                                                         : nullptr;
 }
 
 /// Rows that look towards a light. A loop with nothing else in it, so that roots and divisions overlap.
@@ -122,7 +151,7 @@ Rgb DirectLight::from_area(const FinishProgram& finish, size_t light, const LitR
                            const LightVector& way, ShadowMemory& memory) {
     const LightProgram& source = program_.lights[light];
     const HitPoint& hit = state_.hits[row.hit];
-    const Rgb arrived = arriving(light, row, way, source.color(), memory);
+    const Rgb arrived = arriving(light, row, way, source.color(), nullptr, memory);
     if (is_black(arrived)) return Rgb(0.0f);
     const AreaGrid& grid = source.light().area;
     const Rgb per_sample = arrived / static_cast<float>(source.sample_count());
@@ -149,9 +178,9 @@ Rgb DirectLight::from_area(const FinishProgram& finish, size_t light, const LitR
 }
 
 Rgb DirectLight::arriving(size_t light, const LitRow& row, const LightVector& way, const Rgb& color,
-                          ShadowMemory& memory) {
+                          const Candidates* candidates, ShadowMemory& memory) {
     if (const Rgb* known = memory.find(row.root, light)) return *known;
-    const Rgb arrived = shadows_.arriving(light, state_.hits[row.hit], way, color);
+    const Rgb arrived = shadows_.arriving(light, state_.hits[row.hit], way, color, candidates);
     memory.store(row.root, light, arrived);
     return arrived;
 }

@@ -45,6 +45,8 @@ public:
 
 private:
     struct Reached;
+    const Candidates* candidates(const LightProgram& source, std::span<const LitRow> rows,
+                                 std::span<const Reached> places);
     size_t find_facing(const FinishProgram& finish, const LightProgram& source, std::span<const LitRow> rows,
                        std::span<Reached> reached) const;
     size_t find_lit(const FinishProgram& finish, size_t light, std::span<const LitRow> rows,
@@ -54,11 +56,12 @@ private:
                   ShadowMemory& memory);
     Rgb thin_film(const FinishProgram& finish, const LitRow& row, const Vec3& to_light) const;
     Rgb arriving(size_t light, const LitRow& row, const LightVector& way, const Rgb& color,
-                 ShadowMemory& memory);
+                 const Candidates* candidates, ShadowMemory& memory);
 
     const ShadingProgram& program_;
     StreamState& state_;
     ShadowTracer shadows_;
+    Candidates candidates_;  ///< of the rows and the light at hand
 };
 
 }  // namespace rb

@@ -14,6 +14,14 @@ double smooth_step(double low, double high, double x) {
     return (3.0 - 2.0 * u) * u * u;
 }
 
+/// Grid and jitter stay within one cell more than the axes; an oriented area may face any way.
+Vec3 reach_of(const AreaGrid& grid) {
+    const double share1 = 0.5 * (1.0 + 1.0 / std::max(grid.size1 - 1, 1)) + 0.01;
+    const double share2 = 0.5 * (1.0 + 1.0 / std::max(grid.size2 - 1, 1)) + 0.01;
+    if (grid.orient) return Vec3{glm::length(grid.axis1) * (share1 + share2)};
+    return glm::abs(grid.axis1) * share1 + glm::abs(grid.axis2) * share2;
+}
+
 Vec3 unit(const Vec3& v) {
     const double length = glm::length(v);
     return length > 0.0 ? v / length : v;
@@ -33,6 +41,7 @@ LightProgram::LightProgram(const Light& light) : light_(light) {
     grid.size2 = std::max(grid.size2, 1);
     if (grid.orient) grid.circular = true;
     if (grid.size1 < 2 || grid.size2 < 2) grid.circular = false;
+    if (light.is_area) area_reach_ = reach_of(grid);
 }
 
 uint32_t LightProgram::sample_count() const {

@@ -20,6 +20,8 @@ public:
     /// Illuminates from every grid point with its own direction.
     bool area_illumination() const { return light_.is_area && light_.area.area_illumination; }
     uint32_t sample_count() const;
+    /// How far the samples lie from the centre, at the most, along each axis of the world; 0 without an area.
+    const Vec3& area_reach() const { return area_reach_; }
 
     /// Parallel or cylinder: the direction is the light's own.
     bool is_directed() const { return directed_; }
@@ -43,6 +45,7 @@ private:
 
     Light light_;
     Vec3 direction_{0.0};  ///< from the light to what it points at
+    Vec3 area_reach_{0.0};
     double cos_radius_ = 0;
     double cos_falloff_ = 0;
     bool fades_ = false;

@@ -13,6 +13,10 @@ namespace {
 /// Length of a ray that hits nothing, for the atmosphere.
 constexpr double endless = 2e10;
 
+constexpr uint32_t bundle_size = 64;
+
+uint8_t mask_of(const PathRay& ray) { return ray.reflected ? seen_by_reflection : seen_by_image; }
+
 }  // namespace
 
 void RayStream::trace(std::span<const CameraRay> rays, std::span<Radiance> out) {
@@ -62,20 +66,45 @@ void RayStream::intersect() {
     size_t miss_count = 0;
     RayQuery query;
     Hit hit;
-    for (uint32_t i = 0; i < state_.rays.size(); ++i) {
-        const PathRay& ray = state_.rays[i];
-        query.ray = ray.ray;
-        query.mask = ray.reflected ? seen_by_reflection : seen_by_image;
-        query.origin_leaf = ray.origin_leaf;
-        query.origin_part = ray.origin_part;
-        query.origin_error = ray.origin_error;
-        if (program_.geometry.closest(query, hit)) {
-            add_hit(i, hit);
-        } else {
-            misses[miss_count++] = i;
+    const auto count = static_cast<uint32_t>(state_.rays.size());
+    for (uint32_t begin = 0; begin < count; begin += bundle_size) {
+        const uint32_t end = std::min(begin + bundle_size, count);
+        const Candidates* ahead = candidates(std::span(state_.rays).subspan(begin, end - begin));
+        for (uint32_t i = begin; i < end; ++i) {
+            const PathRay& ray = state_.rays[i];
+            query.ray = ray.ray;
+            query.mask = mask_of(ray);
+            query.origin_leaf = ray.origin_leaf;
+            query.origin_part = ray.origin_part;
+            query.origin_error = ray.origin_error;
+            if (!(ahead && ahead->none()) && program_.geometry.closest(query, hit, ahead)) {
+                add_hit(i, hit);
+            } else {
+                misses[miss_count++] = i;
+            }
         }
     }
     shade_sky(misses.first(miss_count));
+}
+
+/// What rays that run side by side may meet; null if they do not, or if that is too much.
+const Candidates* RayStream::candidates(std::span<const PathRay> rays) {
+    constexpr size_t fewest = 4;
+    if (!program_.options.skip_unneeded || rays.size() < fewest) return nullptr;
+    Bounds origins;
+    Bounds directions;
+    uint8_t mask = 0;
+    uint32_t leaf = rays.front().origin_leaf;
+    for (const PathRay& ray : rays) {
+        origins.include(ray.ray.origin);
+        directions.include(ray.ray.direction);
+        mask |= mask_of(ray);
+        if (ray.origin_leaf != leaf) leaf = no_leaf;
+    }
+    constexpr double widest = 0.5;
+    if (max_component(directions.size()) > widest) return nullptr;
+    const RayBundle bundle = RayBundle::along(origins, directions);
+    return program_.geometry.candidates(bundle, mask, leaf, candidates_) ? &candidates_ : nullptr;
 }
 
 void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {

@@ -14,6 +14,7 @@ private:
     void start(std::span<const CameraRay> rays);
     void run_wave();
     void intersect();
+    const Candidates* candidates(std::span<const PathRay> rays);
     void add_hit(uint32_t ray_index, const Hit& hit);
     void add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgram& surface, const Rgb& weight,
                    float alpha);
@@ -26,6 +27,7 @@ private:
 
     const ShadingProgram& program_;
     StreamState& state_;
+    Candidates candidates_;  ///< of the rays at hand
 };
 
 }  // namespace rb

@@ -12,16 +12,22 @@ public:
 
     /// What of `color` arrives at a hit from `light`, at its centre or over its area. Adaptive area sampling
     /// compares colours, so they come with their attenuation.
-    Rgb arriving(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color);
+    /// `candidates`: what may be between, or null.
+    Rgb arriving(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color,
+                 const Candidates* candidates);
 
 private:
     struct Grid;
     struct GridCorner;
-    Rgb along(const Light& light, const HitPoint& hit, const LightVector& way, Rgb color, uint32_t& blocker);
-    Rgb filtered(const HitPoint& hit, const LightVector& way, double t_max, Rgb color);
+    bool is_dimmed(const Light& light) const;
+    Rgb along(const Light& light, const HitPoint& hit, const LightVector& way, Rgb color,
+              const Candidates* candidates, uint32_t& blocker);
+    Rgb filtered(const HitPoint& hit, const LightVector& way, double t_max, Rgb color,
+                 const Candidates* candidates);
     Rgb filter_of(const Hit& hit, const Vec3& direction, double segment, std::span<const uint32_t> inside);
     Rgb surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction);
-    Rgb over_area(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color);
+    Rgb over_area(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color,
+                  const Candidates* candidates);
     void look_at_corners(Grid& grid, const std::array<GridCorner, 4>& corners);
     Rgb grid_cell(Grid& grid, int u1, int v1, int u2, int v2, int level);
 

@@ -1,0 +1,53 @@
+#pragma once
+#include "kdtree/box_tree.h"
+#include "math/ray_bundle.h"
+
+#include <array>
+
+namespace rb {
+
+/// The elements of a box tree that a bundle of rays may meet, if they are few: its rays try these one by one
+/// instead of walking the tree.
+class BoxList {
+public:
+    static constexpr size_t most = 16;
+
+    /// False (and the list is useless) if there are more than `most`, or if they lie all over the tree.
+    bool gather(const BoxTree& tree, const RayBundle& bundle, uint8_t mask);
+
+    bool is_empty() const { return count_ == 0; }
+
+    /// As BoxTree::walk(), for a ray of the bundle.
+    template <class Visit>
+    bool walk(const Ray& ray, uint8_t mask, double t_min, const double& t_max, Visit&& visit) const;
+
+private:
+    using Node = BoxTree::Node;
+    void add(const Node& node, size_t lane, float near);
+
+    Vec3 center_{0.0};
+    float reach_ = 0;
+    size_t count_ = 0;
+    std::array<Node, most / 4> nodes_;  ///< filled lane by lane, about from near to far
+    std::array<float, most> near_;
+};
+
+template <class Visit>
+bool BoxList::walk(const Ray& ray, uint8_t mask, double t_min, const double& t_max, Visit&& visit) const {
+    if (count_ == 0) return false;
+    const BoxRay slabs(ray, center_, reach_);
+    const float near = slabs.scaled_down(t_min);
+    for (size_t k = 0; 4 * k < count_; ++k) {
+        const Node& node = nodes_[k];
+        alignas(16) float near_of[4];
+        unsigned met = slabs.meets(node.planes, near, slabs.scaled_up(t_max), near_of);
+        for (; met != 0; met &= met - 1) {
+            const int i = std::countr_zero(met);
+            if ((node.mask[i] & mask) == 0 || near_of[i] > slabs.scaled_up(t_max)) continue;
+            if (visit(node.child[i] & ~BoxTree::element_bit)) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace rb
