@@ -10,75 +10,6 @@
 
 namespace rb {
 
-namespace {
-
-constexpr uint32_t table_shift =
-    17;  ///< 64 entries per power of two, linear between them: 4e-5 off at the most
-constexpr float table_least = 0x1p-20f;
-constexpr float table_greatest = 0x1p10f;
-
-}  // namespace
-
-SampleDistance::SampleDistance(const std::optional<GammaCurve>& assumed_gamma, double antialias_gamma) {
-    double working = 1.0;
-    if (assumed_gamma) {
-        is_srgb_ = std::holds_alternative<SrgbCurve>(*assumed_gamma);
-        if (!is_srgb_) working = std::get<double>(*assumed_gamma);
-    }
-    exponent_ = working / antialias_gamma;
-    raw_ = !is_srgb_ && std::abs(exponent_ - 1.0) <= 0.01;
-    if (raw_) return;
-    for (uint32_t bits = std::bit_cast<uint32_t>(table_least);; bits += 1u << table_shift) {
-        table_.push_back(static_cast<float>(encoded(std::bit_cast<float>(bits))));
-        if (std::bit_cast<float>(bits) >= table_greatest) break;
-    }
-}
-
-double SampleDistance::encoded(float v) const {
-    double value = static_cast<double>(v);
-    if (raw_) return value;
-    if (is_srgb_) value = value < 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-    return value > 0.0 ? std::pow(value, exponent_) : 0.0;
-}
-
-double SampleDistance::operator()(const Radiance& a, const Radiance& b) const {
-    double sum = std::abs(static_cast<double>(a.transmit) - static_cast<double>(b.transmit));
-    for (int c = 0; c < 3; ++c) {
-        if (a.rgb[c] != b.rgb[c]) sum += std::abs(encoded(a.rgb[c]) - encoded(b.rgb[c]));
-    }
-    return sum;
-}
-
-float SampleDistance::roughly_encoded(float v) const {
-    if (!(v >= table_least && v < table_greatest)) return v == 0.0f ? 0.0f : -1.0f;
-    const uint32_t bits = std::bit_cast<uint32_t>(v);
-    const uint32_t slot = (bits >> table_shift) - (std::bit_cast<uint32_t>(table_least) >> table_shift);
-    constexpr float step = 1u << table_shift;
-    const float t = static_cast<float>(bits & ((1u << table_shift) - 1)) / step;
-    return table_[slot] + t * (table_[slot + 1] - table_[slot]);
-}
-
-bool SampleDistance::at_least(const Radiance& a, const Radiance& b, double threshold) const {
-    if (raw_) return (*this)(a, b) >= threshold;
-    if (a.rgb == b.rgb && a.transmit == b.transmit) return threshold <= 0.0;
-    float sum = std::abs(a.transmit - b.transmit);
-    float size = sum;
-    for (int c = 0; c < 3; ++c) {
-        if (a.rgb[c] == b.rgb[c]) continue;
-        const float x = roughly_encoded(a.rgb[c]);
-        const float y = roughly_encoded(b.rgb[c]);
-        if (x < 0.0f || y < 0.0f) return (*this)(a, b) >= threshold;
-        sum += std::abs(x - y);
-        size += x + y;
-    }
-    constexpr double table_error = 2e-4;
-    const double margin = table_error * static_cast<double>(size);
-    const double rough = static_cast<double>(sum);
-    if (rough + margin < threshold) return false;
-    if (rough - margin > threshold) return true;
-    return (*this)(a, b) >= threshold;
-}
-
 void Sampler::sample(std::span<const Vec2> positions, std::vector<Radiance>& out) {
     batch_.clear();
     batch_.reserve(positions.size());
@@ -125,7 +56,7 @@ public:
         while (!walk()) trace_wanted();
         for (int y = 1; y < height_; ++y) {
             for (int x = 1; x < width_; ++x) {
-                out[static_cast<size_t>((y - 1) * (width_ - 1) + x - 1)] = value_[index(x, y)];
+                out[static_cast<size_t>((y - 1) * (width_ - 1) + x - 1)] = value_[index(x, y)].light;
             }
         }
     }
@@ -142,18 +73,21 @@ private:
                 positions.emplace_back(x + x0_, y + y0_);
             }
         }
-        sampler_.sample(positions, center_);
-        refined_.assign(center_.size(), Radiance{});
-        has_refined_.assign(center_.size(), false);
+        std::vector<Radiance> samples;
+        sampler_.sample(positions, samples);
+        center_.reserve(samples.size());
+        for (const Radiance& light : samples) center_.push_back(distance_.comparable(light));
+        refined_.resize(center_.size());
+        has_refined_.assign(center_.size(), 0);
     }
 
     /// True if every wanted pixel had its samples.
     bool walk() {
         value_ = center_;
-        done_.assign(center_.size(), false);
+        done_.assign(center_.size(), 0);
         wanted_.clear();
-        for (int x = 0; x < width_; ++x) done_[index(x, 0)] = true;
-        for (int y = 0; y < height_; ++y) done_[index(0, y)] = true;
+        for (int x = 0; x < width_; ++x) done_[index(x, 0)] = 1;
+        for (int y = 0; y < height_; ++y) done_[index(0, y)] = 1;
         for (int y = 1; y < height_; ++y) {
             for (int x = 1; x < width_; ++x) {
                 const size_t here = index(x, y);
@@ -172,7 +106,7 @@ private:
 
     void refine(size_t pixel) {
         if (done_[pixel]) return;
-        done_[pixel] = true;
+        done_[pixel] = 1;
         if (has_refined_[pixel]) {
             value_[pixel] = refined_[pixel];
         } else {
@@ -202,14 +136,14 @@ private:
         const auto count = static_cast<size_t>(n * n);
         for (size_t k = 0; k < wanted_.size(); ++k) {
             const size_t pixel = wanted_[k];
-            Radiance sum = center_[pixel];
+            Radiance sum = center_[pixel].light;
             for (size_t s = k * count; s < (k + 1) * count; ++s) {
                 sum.rgb += samples[s].rgb;
                 sum.transmit += samples[s].transmit;
             }
             const float scale = 1.0f / static_cast<float>(count + 1);
-            refined_[pixel] = {sum.rgb * scale, sum.transmit * scale};
-            has_refined_[pixel] = true;
+            refined_[pixel] = distance_.comparable({sum.rgb * scale, sum.transmit * scale});
+            has_refined_[pixel] = 1;
         }
     }
 
@@ -220,11 +154,11 @@ private:
     int y0_;
     int width_;
     int height_;
-    std::vector<Radiance> center_;
-    std::vector<Radiance> value_;
-    std::vector<Radiance> refined_;
-    std::vector<bool> has_refined_;
-    std::vector<bool> done_;
+    std::vector<ComparableSample> center_;
+    std::vector<ComparableSample> value_;
+    std::vector<ComparableSample> refined_;
+    std::vector<uint8_t> has_refined_;
+    std::vector<uint8_t> done_;
     std::vector<size_t> wanted_;
 };
 
@@ -259,7 +193,7 @@ public:
     }
 
 private:
-    using Lattice = std::unordered_map<uint32_t, Radiance>;
+    using Lattice = std::unordered_map<uint32_t, ComparableSample>;
     struct Wanted {
         size_t pixel;
         uint32_t key;
@@ -274,7 +208,9 @@ private:
                 positions.emplace_back(block_.x0 + x - 0.5, block_.y0 + y - 0.5);
             }
         }
-        sampler_.sample(positions, corners_);
+        std::vector<Radiance> samples;
+        sampler_.sample(positions, samples);
+        for (const Radiance& light : samples) corners_.push_back(distance_.comparable(light));
     }
 
     Vec2 center_of(size_t pixel) const {
@@ -286,7 +222,7 @@ private:
 
     /// The sample at lattice point (i, j) of a pixel, both 0..cells_; null and remembered as wanted if not
     /// traced yet.
-    const Radiance* lattice(size_t pixel, int i, int j) {
+    const ComparableSample* lattice(size_t pixel, int i, int j) {
         if ((i == 0 || i == cells_) && (j == 0 || j == cells_)) {
             const auto width = static_cast<size_t>(block_.width());
             const size_t x = pixel % width + (i ? 1 : 0);
@@ -305,7 +241,7 @@ private:
         const std::array corners{lattice(pixel, i, j), lattice(pixel, i + size, j),
                                  lattice(pixel, i, j + size), lattice(pixel, i + size, j + size)};
         Radiance sum;
-        for (const Radiance* corner : corners) {
+        for (const ComparableSample* corner : corners) {
             if (!corner) return sum;
         }
         if (size > 1 && differ(corners)) {
@@ -322,15 +258,15 @@ private:
                 sum.transmit += part.transmit;
             }
         } else {
-            for (const Radiance* corner : corners) {
-                sum.rgb += corner->rgb;
-                sum.transmit += corner->transmit;
+            for (const ComparableSample* corner : corners) {
+                sum.rgb += corner->light.rgb;
+                sum.transmit += corner->light.transmit;
             }
         }
         return {sum.rgb * 0.25f, sum.transmit * 0.25f};
     }
 
-    bool differ(const std::array<const Radiance*, 4>& corners) const {
+    bool differ(const std::array<const ComparableSample*, 4>& corners) const {
         for (size_t a = 0; a < 4; ++a) {
             for (size_t b = a + 1; b < 4; ++b) {
                 if (distance_.at_least(*corners[a], *corners[b], options_.threshold)) return true;
@@ -361,7 +297,7 @@ private:
         std::vector<Radiance> samples;
         sampler_.sample(positions, samples);
         for (size_t k = 0; k < wanted_.size(); ++k)
-            pixels_[wanted_[k].pixel].emplace(wanted_[k].key, samples[k]);
+            pixels_[wanted_[k].pixel].emplace(wanted_[k].key, distance_.comparable(samples[k]));
     }
 
     Sampler& sampler_;
@@ -369,7 +305,7 @@ private:
     const AntialiasOptions& options_;
     const SampleDistance& distance_;
     int cells_;  ///< lattice steps along a pixel's side
-    std::vector<Radiance> corners_;
+    std::vector<ComparableSample> corners_;
     std::vector<Lattice> pixels_;
     std::vector<Wanted> wanted_;
 };

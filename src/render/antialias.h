@@ -1,6 +1,6 @@
 #pragma once
 #include "render/camera_rays.h"
-#include "shade/integrator.h"
+#include "render/sample_distance.h"
 
 #include <functional>
 #include <span>
@@ -15,25 +15,6 @@ struct AntialiasOptions {
     int depth = 3;
     double jitter = 1.0;
     double gamma = 2.5;
-};
-
-/// Distance between two samples after gamma encoding; sum over the channels and transmit.
-class SampleDistance {
-public:
-    SampleDistance(const std::optional<GammaCurve>& assumed_gamma, double antialias_gamma);
-    double operator()(const Radiance& a, const Radiance& b) const;
-    /// Same answer as (*this)(a, b) >= threshold, but nearly always without a power function.
-    bool at_least(const Radiance& a, const Radiance& b, double threshold) const;
-
-private:
-    double encoded(float v) const;
-    /// encoded() within one part in 10,000, from a table; negative where the table does not reach.
-    float roughly_encoded(float v) const;
-
-    bool is_srgb_ = false;
-    double exponent_ = 1;
-    bool raw_ = false;
-    std::vector<float> table_;  ///< encoded values of floats whose last 17 bits are 0, from table_least on
 };
 
 /// A rectangle of pixels [x0, x1) x [y0, y1).
