@@ -26,18 +26,54 @@ ShadowMemory::ShadowMemory(size_t rows, size_t lights, bool keep, Scratch::Scope
     known_ = memory.take<uint8_t>(rows * lights, uint8_t{0});
 }
 
+/// Coordinates of the rows in arrays of their own: the loop over them is arithmetic and nothing else.
+struct DirectLight::Columns {
+    Columns(std::span<const LitRow> rows, std::span<const HitPoint> hits, Scratch::Scope& memory)
+        : x(memory.take<double>(rows.size())),
+          y(memory.take<double>(rows.size())),
+          z(memory.take<double>(rows.size())),
+          normal_x(memory.take<double>(rows.size())),
+          normal_y(memory.take<double>(rows.size())),
+          normal_z(memory.take<double>(rows.size())) {
+        for (size_t i = 0; i < rows.size(); ++i) {
+            const Vec3& point = hits[rows[i].hit].point;
+            const Vec3& normal = rows[i].place.normal;
+            x[i] = point.x, y[i] = point.y, z[i] = point.z;
+            normal_x[i] = normal.x, normal_y[i] = normal.y, normal_z[i] = normal.z;
+        }
+    }
+    Vec3 point(size_t i) const { return {x[i], y[i], z[i]}; }
+
+    std::span<double> x, y, z;
+    std::span<double> normal_x, normal_y, normal_z;
+};
+
+/// From each row to one light.
+struct DirectLight::Ways {
+    Ways(size_t count, Scratch::Scope& memory)
+        : x(memory.take<double>(count)),
+          y(memory.take<double>(count)),
+          z(memory.take<double>(count)),
+          distance(memory.take<double>(count)),
+          cosine(memory.take<double>(count)) {}
+    LightVector at(size_t i) const { return {{x[i], y[i], z[i]}, distance[i]}; }
+
+    std::span<double> x, y, z;  ///< unit direction
+    std::span<double> distance;
+    std::span<double> cosine;  ///< between the way and the row's normal
+};
+
 /// A row that a light illuminates if nothing is between them.
 struct DirectLight::Reached {
-    LightVector way;
-    double cosine;  ///< between the way and the row's normal
     uint32_t row;
-    bool backside;
     Rgb share;  ///< of what arrives
     Rgb color;  ///< of the light, after attenuation
 };
 
 void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, ShadowMemory& memory) {
     Scratch::Scope scratch(thread_scratch());
+    const Columns columns(rows, state_.hits, scratch);
+    Ways ways(rows.size(), scratch);
     const auto reached = scratch.take<Reached>(rows.size());
     const bool has_film = finish.finish.irid_amount > 0.0f;
     for (size_t light = 0; light < program_.lights.size(); ++light) {
@@ -51,15 +87,16 @@ void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, Shado
             }
             continue;
         }
-        const size_t facing = find_facing(finish, source, rows, reached);
-        const size_t lit = find_lit(finish, light, rows, reached.first(facing));
+        look_toward(source, columns, ways);
+        const size_t lit = find_lit(finish, light, rows, columns, ways, reached);
         for (size_t begin = 0; begin < lit; begin += bundle_size) {
             const auto places = reached.subspan(begin, std::min(bundle_size, lit - begin));
-            const Candidates* between = candidates(source, rows, places);
+            const Candidates* between = candidates(source, rows, places, columns, ways);
             for (const Reached& place : places) {
                 LitRow& row = rows[place.row];
-                Rgb sum = place.share * arriving(light, row, place.way, place.color, between, memory);
-                if (has_film) sum *= thin_film(finish, row, place.way.direction);
+                const LightVector way = ways.at(place.row);
+                Rgb sum = place.share * arriving(light, row, way, place.color, between, memory);
+                if (has_film) sum *= thin_film(finish, row, way.direction);
                 row.light += sum;
             }
         }
@@ -68,7 +105,8 @@ void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, Shado
 
 /// What may be between a light and places that it reaches; null if that is too much, or of no use.
 const Candidates* DirectLight::candidates(const LightProgram& source, std::span<const LitRow> rows,
-                                          std::span<const Reached> places) {
+                                          std::span<const Reached> places, const Columns& columns,
+                                          const Ways& ways) {
     constexpr size_t fewest = 4;
     if (!program_.options.skip_unneeded || source.is_shadowless() || places.size() < fewest) return nullptr;
     // The directions of these differ from sample to sample.
@@ -77,11 +115,15 @@ const Candidates* DirectLight::candidates(const LightProgram& source, std::span<
     Bounds ends;
     uint32_t leaf = state_.hits[rows[places.front().row].hit].leaf;
     for (const Reached& place : places) {
-        const HitPoint& hit = state_.hits[rows[place.row].hit];
-        points.include(hit.point);
-        ends.include(hit.point + place.way.distance * place.way.direction);
-        if (hit.leaf != leaf) leaf = no_leaf;
+        const Vec3 point = columns.point(place.row);
+        points.include(point);
+        if (source.is_directed()) {
+            const LightVector way = ways.at(place.row);
+            ends.include(point + way.distance * way.direction);
+        }
+        if (state_.hits[rows[place.row].hit].leaf != leaf) leaf = no_leaf;
     }
+    if (!source.is_directed()) ends.include(source.light().location);
     ends.lo -= source.area_reach();
     ends.hi += source.area_reach();
     const RayBundle bundle = RayBundle::between(points, ends);
@@ -89,48 +131,63 @@ const Candidates* DirectLight::candidates(const LightProgram& source, std::span<
                                                                                          : nullptr;
 }
 
-/// Rows that look towards a light. A loop with nothing else in it, so that roots and divisions overlap.
-size_t DirectLight::find_facing(const FinishProgram& finish, const LightProgram& source,
-                                std::span<const LitRow> rows, std::span<Reached> reached) const {
-    const bool shows_back = finish.finish.diffuse_back != 0.0f;
-    size_t count = 0;
-    for (size_t i = 0; i < rows.size(); ++i) {
-        const LitRow& row = rows[i];
-        const HitPoint& hit = state_.hits[row.hit];
-        Reached& place = reached[count];
-        place.way = source.toward(hit.point, Vec3{0.0});
-        place.cosine = glm::dot(row.place.normal, place.way.direction);
-        place.row = static_cast<uint32_t>(i);
-        place.backside = !hit.double_illuminate && place.cosine < facing_limit;
-        count += !place.backside || shows_back ? 1 : 0;
+/// The same arithmetic as LightProgram::toward(), over arrays.
+void DirectLight::look_toward(const LightProgram& source, const Columns& rows, Ways& ways) {
+    const size_t count = rows.x.size();
+    if (source.is_directed()) {
+        for (size_t i = 0; i < count; ++i) {
+            const LightVector way = source.toward(rows.point(i), Vec3{0.0});
+            ways.x[i] = way.direction.x, ways.y[i] = way.direction.y, ways.z[i] = way.direction.z;
+            ways.distance[i] = way.distance;
+        }
+    } else {
+        const Vec3 center = source.light().location;
+        for (size_t i = 0; i < count; ++i) {
+            const double x = center.x - rows.x[i];
+            const double y = center.y - rows.y[i];
+            const double z = center.z - rows.z[i];
+            const double distance = std::sqrt(x * x + y * y + z * z);
+            const double scale = distance > 0.0 ? 1.0 / distance : 1.0;
+            ways.x[i] = x * scale;
+            ways.y[i] = y * scale;
+            ways.z[i] = z * scale;
+            ways.distance[i] = distance;
+        }
     }
-    return count;
+    for (size_t i = 0; i < count; ++i) {
+        ways.cosine[i] =
+            rows.normal_x[i] * ways.x[i] + rows.normal_y[i] * ways.y[i] + rows.normal_z[i] * ways.z[i];
+    }
 }
 
-/// Keeps the rows that show something of a light: for the others (a highlight elsewhere) no shadow ray is
-/// needed.
+/// Keeps the rows that show something of a light: for the others (turned away, a highlight elsewhere) no
+/// shadow ray is needed.
 size_t DirectLight::find_lit(const FinishProgram& finish, size_t light, std::span<const LitRow> rows,
-                             std::span<Reached> reached) const {
+                             const Columns& columns, const Ways& ways, std::span<Reached> reached) const {
     const LightProgram& source = program_.lights[light];
+    if (!source.attenuates() && is_black(source.color())) return 0;
+    const bool shows_back = finish.finish.diffuse_back != 0.0f;
     LightMeeting meeting;
     meeting.color = Rgb(1.0f);
     meeting.highlights = !source.is_shadowless();
     size_t count = 0;
-    for (const Reached& place : reached) {
-        const LitRow& row = rows[place.row];
-        const Vec3& point = state_.hits[row.hit].point;
-        const Rgb color = source.color() * static_cast<float>(source.attenuation(point, place.way));
-        if (is_black(color)) continue;
-        meeting.direction = place.way.direction;
-        meeting.cosine = place.cosine;
-        meeting.backside = place.backside;
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const LitRow& row = rows[i];
+        meeting.cosine = ways.cosine[i];
+        meeting.backside = !row.double_illuminate && meeting.cosine < facing_limit;
+        if (meeting.backside && !shows_back) continue;
+        Reached& kept = reached[count];
+        kept.row = static_cast<uint32_t>(i);
+        kept.color = source.color();
+        const LightVector way = ways.at(i);
+        if (source.attenuates()) {
+            kept.color *= static_cast<float>(source.attenuation(columns.point(i), way));
+            if (is_black(kept.color)) continue;
+        }
+        meeting.direction = way.direction;
         meeting.crand = crand(finish, light, row);
-        const Rgb share = reflected_light(finish, row.place, meeting);
-        if (share == Rgb(0.0f)) continue;
-        Reached& kept = reached[count++];
-        kept = place;
-        kept.share = share;
-        kept.color = color;
+        kept.share = reflected_light(finish, row.place, meeting);
+        count += kept.share != Rgb(0.0f) ? 1 : 0;
     }
     return count;
 }

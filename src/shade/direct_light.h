@@ -8,6 +8,7 @@ namespace rb {
 struct LitRow {
     uint32_t hit = 0;   ///< index into StreamState::hits
     uint32_t root = 0;  ///< row in the group, for the shadow memory
+    bool double_illuminate = false;
     LitPlace place;
     Rgb light{0.0f};  ///< result
 };
@@ -44,13 +45,14 @@ public:
     void add(const FinishProgram& finish, std::span<LitRow> rows, ShadowMemory& memory);
 
 private:
+    struct Columns;
+    struct Ways;
     struct Reached;
     const Candidates* candidates(const LightProgram& source, std::span<const LitRow> rows,
-                                 std::span<const Reached> places);
-    size_t find_facing(const FinishProgram& finish, const LightProgram& source, std::span<const LitRow> rows,
-                       std::span<Reached> reached) const;
+                                 std::span<const Reached> places, const Columns& columns, const Ways& ways);
+    static void look_toward(const LightProgram& source, const Columns& rows, Ways& ways);
     size_t find_lit(const FinishProgram& finish, size_t light, std::span<const LitRow> rows,
-                    std::span<Reached> reached) const;
+                    const Columns& columns, const Ways& ways, std::span<Reached> reached) const;
     double crand(const FinishProgram& finish, size_t light, const LitRow& row) const;
     Rgb from_area(const FinishProgram& finish, size_t light, const LitRow& row, const LightVector& way,
                   ShadowMemory& memory);

@@ -35,24 +35,15 @@ double specular_term(const FinishProgram& f, const LitPlace& place, const Vec3& 
 
 }  // namespace
 
-Rgb reflected_light(const FinishProgram& f, const LitPlace& place, const LightMeeting& light) {
+Rgb highlights(const FinishProgram& f, const LitPlace& place, const LightMeeting& light) {
     const Finish& finish = f.finish;
-    Rgb sum(0.0f);
-    const float diffuse = light.backside ? finish.diffuse_back : finish.diffuse;
-    if (diffuse > 0.0f) {
-        const double intensity =
-            f.brilliance.of(std::abs(light.cosine)) * diffuse * place.opacity - light.crand;
-        sum += static_cast<float>(intensity) * place.pigment * light.color;
-    }
-    if (!light.highlights || light.backside) return sum;
     double highlight = 0;
     if (finish.phong > 0.0f) highlight += phong_term(f, place, light.direction);
     if (finish.specular > 0.0f) highlight += specular_term(f, place, light.direction);
-    if (highlight == 0.0) return sum;
+    if (highlight == 0.0) return Rgb(0.0f);
     const Rgb shine = static_cast<float>(highlight) * light.color;
-    if (finish.metallic > 0.0f)
-        return sum + shine * metallic_tint(finish.metallic, light.cosine, place.pigment);
-    return sum + shine;
+    if (finish.metallic > 0.0f) return shine * metallic_tint(finish.metallic, light.cosine, place.pigment);
+    return shine;
 }
 
 Rgb iridescence(const FinishProgram& f, const Rgb& wavelength, double thickness, double cosines) {

@@ -22,8 +22,21 @@ struct LightMeeting {
     bool highlights = true;  ///< false for shadowless lights
 };
 
+/// Highlights alone.
+Rgb highlights(const FinishProgram& finish, const LitPlace& place, const LightMeeting& light);
+
 /// Diffuse light and highlights (manual 3.4.6.3.3-5; Phong 1975, Blinn 1977), before iridescence.
-Rgb reflected_light(const FinishProgram& finish, const LitPlace& place, const LightMeeting& light);
+inline Rgb reflected_light(const FinishProgram& f, const LitPlace& place, const LightMeeting& light) {
+    Rgb sum(0.0f);
+    const float diffuse = light.backside ? f.finish.diffuse_back : f.finish.diffuse;
+    if (diffuse > 0.0f) {
+        const double intensity =
+            f.brilliance.of(std::abs(light.cosine)) * diffuse * place.opacity - light.crand;
+        sum = static_cast<float>(intensity) * place.pigment * light.color;
+    }
+    if (!f.has_highlights || !light.highlights || light.backside) return sum;
+    return sum + highlights(f, place, light);
+}
 
 /// Factor of a thin film for the sum of the two cosines (manual 3.4.6.3.8).
 Rgb iridescence(const FinishProgram& finish, const Rgb& wavelength, double thickness, double cosines);

@@ -32,6 +32,8 @@ public:
         const double distance = glm::length(way);
         return {distance > 0.0 ? way * (1.0 / distance) : way, distance};
     }
+    /// attenuation() may be other than 1.
+    bool attenuates() const { return attenuates_; }
     /// Cone and fading with distance; 0 outside the cone.
     double attenuation(const Vec3& p, const LightVector& way) const {
         return attenuates_ ? cone_and_fading(p, way) : 1.0;

@@ -15,6 +15,7 @@ public:
     }
 
     double of(double x) const {
+        if (whole_ == 1) return x;
         if (whole_ == 0) return std::pow(x, exponent_);
         double result = whole_ & 1u ? x : 1.0;
         for (uint32_t rest = whole_ >> 1; rest != 0; rest >>= 1) {

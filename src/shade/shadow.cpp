@@ -109,7 +109,8 @@ Rgb ShadowTracer::along(const Light& light, const HitPoint& hit, const LightVect
     // Something clear is in the way; whatever is opaque behind or before it decides first.
     query.mask = blocks_light;
     uint32_t opaque_blocker = no_leaf;
-    if (program_.geometry.has(blocks_light) && program_.geometry.occluded(query, opaque_blocker, candidates)) {
+    if (program_.geometry.has(blocks_light) &&
+        program_.geometry.occluded(query, opaque_blocker, candidates)) {
         blocker = opaque_blocker;
         return Rgb(0.0f);
     }
@@ -198,8 +199,8 @@ struct ShadowTracer::Grid {
     GridCorner corner(int u, int v) const { return {u, v, static_cast<uint32_t>(v * width + u)}; }
 };
 
-Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector& to_center,
-                            const Rgb& color, const Candidates* candidates) {
+Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color,
+                            const Candidates* candidates) {
     const AreaGrid& area = program_.lights[light].light().area;
     Scratch::Scope memory(thread_scratch());
     const size_t count = program_.lights[light].sample_count();
@@ -231,7 +232,8 @@ void ShadowTracer::look_at_corners(Grid& grid, const std::array<GridCorner, 4>& 
         const uint32_t index = corners[k].index;
         if (grid.known[index]) continue;
         grid.known[index] = 1;
-        grid.arrived[index] = along(light.light(), grid.hit, grid.ways[k], grid.color, grid.candidates, grid.blockers[index]);
+        grid.arrived[index] =
+            along(light.light(), grid.hit, grid.ways[k], grid.color, grid.candidates, grid.blockers[index]);
     }
 }
 

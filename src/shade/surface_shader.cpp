@@ -177,6 +177,7 @@ SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, co
         LitRow& row = layer_rows.lit[i];
         row.hit = rows.hits[i];
         row.root = rows.roots[i];
+        row.double_illuminate = hit.double_illuminate;
         row.place.normal = normals[i];
         row.place.direction = hit.direction;
         row.place.pigment = p.rgb();

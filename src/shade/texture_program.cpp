@@ -27,6 +27,7 @@ FinishProgram::FinishProgram(const Finish& written, const Rgb& ambient_light)
     own_light = written.ambient * ambient_light + written.emission;
     takes_light = written.diffuse != 0.0f || written.diffuse_back != 0.0f || written.phong != 0.0f ||
                   written.specular != 0.0f;
+    has_highlights = written.phong > 0.0f || written.specular > 0.0f;
     const Reflection& r = written.reflection;
     reflects = r.min != Rgb(0.0f) || r.max != Rgb(0.0f);
     reflection_importance = std::max(largest(r.min), largest(r.max));

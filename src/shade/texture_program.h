@@ -16,6 +16,7 @@ struct FinishProgram {
     Finish finish;
     Rgb own_light{0.0f};  ///< ambient under the scene's ambient light, and emission
     bool takes_light = false;
+    bool has_highlights = false;
     bool reflects = false;
     float reflection_importance = 0;  ///< largest component of min and max
     double phong_threshold = 0;       ///< smaller cosines give nothing that could be seen
