@@ -16,8 +16,7 @@ public:
             const double lo = bundle.origins.lo[axis] - center[axis];
             const double hi = bundle.origins.hi[axis] - center[axis];
             // Far more than what single precision rounds away below.
-            const double error =
-                margin * (std::max(std::abs(lo), std::abs(hi)) + static_cast<double>(reach));
+            const double error = margin * (std::max(std::abs(lo), std::abs(hi)) + static_cast<double>(reach));
             const double down = bundle.lower[axis];
             const double up = bundle.upper[axis];
             const double slope_error = margin * std::max(std::abs(down), std::abs(up));

@@ -34,7 +34,10 @@ public:
     BoxTreeBuilder(BoxTree& tree, std::span<const BoxTree::Item> items) : tree_(tree), items_(items) {
         if (items.empty()) return;
         Bounds hull;
-        for (const auto& item : items) hull.include(item.box);
+        for (const auto& item : items) {
+            hull.include(item.box);
+            tree_.common_mask_ &= item.mask;
+        }
         tree_.center_ = hull.center();
         parts_.reserve(items.size());
         BoxF all = empty_box;

@@ -8,6 +8,7 @@
 #include <emmintrin.h>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace rb {
@@ -96,12 +97,19 @@ private:
         float planes[3][2][4];
         uint32_t child[4];  ///< a node, or with `element_bit` an element
         uint8_t mask[4];    ///< of all below
+
+        unsigned lanes_with(uint8_t wanted) const {
+            unsigned lanes = 0;
+            for (unsigned i = 0; i < 4; ++i) lanes |= static_cast<unsigned>((mask[i] & wanted) != 0) << i;
+            return lanes;
+        }
     };
 
     std::vector<Node> nodes_;
     std::vector<uint32_t> order_;
     Vec3 center_{0.0};
     float reach_ = 0;
+    uint8_t common_mask_ = 0xff;  ///< bits that every element has
 };
 
 inline BoxRay::BoxRay(const Ray& ray, const Vec3& center, float reach) {
@@ -143,36 +151,52 @@ bool BoxTree::walk(const Ray& ray, uint8_t mask, double t_min, const double& t_m
     const BoxRay slabs(ray, center_, reach_);
     const float near = slabs.scaled_down(t_min);
     float far = slabs.scaled_up(t_max);
+    const bool selects = (common_mask_ & mask) == 0;
     struct Waiting {
         float near;
         uint32_t child;
     };
     Waiting stack[256];
     int waiting = 0;
+    const auto pop = [&](uint32_t& child) {
+        while (waiting > 0) {
+            const Waiting& top = stack[--waiting];
+            child = top.child;
+            if (top.near <= far) return true;
+        }
+        return false;
+    };
     uint32_t at = 0;
     for (;;) {
-        if (at & element_bit) {
+        const Node& node = nodes_[at];
+        alignas(16) float near_of[4];
+        unsigned met = slabs.meets(node.planes, near, far, near_of);
+        if (selects) met &= node.lanes_with(mask);
+        if (met == 0) {
+            if (!pop(at)) return false;
+        } else {
+            const auto lane = [&] {
+                const int i = std::countr_zero(met);
+                met &= met - 1;
+                return Waiting{near_of[i], node.child[i]};
+            };
+            Waiting nearest = lane();
+            // The nearest goes on; of the others the nearest is on top.
+            for (const int first = waiting; met != 0;) {
+                Waiting other = lane();
+                if (other.near < nearest.near) std::swap(other, nearest);
+                int place = waiting++;
+                for (; place > first && stack[place - 1].near < other.near; --place)
+                    stack[place] = stack[place - 1];
+                stack[place] = other;
+            }
+            at = nearest.child;
+        }
+        while (at & element_bit) {
             if (visit(at & ~element_bit)) return true;
             far = slabs.scaled_up(t_max);
-        } else {
-            const Node& node = nodes_[at];
-            alignas(16) float near_of[4];
-            const int first = waiting;
-            for (unsigned met = slabs.meets(node.planes, near, far, near_of); met != 0; met &= met - 1) {
-                const int i = std::countr_zero(met);
-                if ((node.mask[i] & mask) == 0) continue;
-                // Insertion keeps the nearest on top.
-                int place = waiting++;
-                for (; place > first && stack[place - 1].near < near_of[i]; --place)
-                    stack[place] = stack[place - 1];
-                stack[place] = {near_of[i], node.child[i]};
-            }
+            if (!pop(at)) return false;
         }
-        do {
-            if (waiting == 0) return false;
-            --waiting;
-        } while (stack[waiting].near > far);
-        at = stack[waiting].child;
     }
 }
 
