@@ -124,6 +124,33 @@ public:
     Isolation(const Coefficients& c, double* roots, int most) : c_(c), roots_(roots), most_(most) {}
 
     int search(double lo, double hi) {
+        const Coefficients b = bernstein(lo, hi);
+        if (signs(b).possible > 0) search(b, end(lo), end(hi), depth);
+        return count_;
+    }
+
+    bool changes_sign(double lo, double hi) {
+        const End first = end(lo);
+        const End last = end(hi);
+        if ((first.f < 0.0) != (last.f < 0.0)) return true;
+        return changes_sign(bernstein(lo, hi), first, last, depth);
+    }
+
+private:
+    static constexpr int depth = 5;
+    struct End {
+        double x;
+        double f;
+    };
+    struct Signs {
+        int possible;  ///< 0: surely no root
+        bool one;      ///< surely one
+    };
+
+    End end(double x) const { return {x, value_at<N>(c_, x).f}; }
+
+    /// Coefficients over [lo, hi]; sets the margin of their rounding.
+    Coefficients bernstein(double lo, double hi) {
         // Taylor shift to lo, then scale by the width.
         Coefficients b;
         std::reverse_copy(c_.begin(), c_.end(), b.begin());
@@ -146,20 +173,8 @@ public:
         }
         constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
         margin_ = rounding * magnitude;
-        constexpr int depth = 5;
-        if (signs(b).possible > 0) search(b, {lo, value_at<N>(c_, lo).f}, {hi, value_at<N>(c_, hi).f}, depth);
-        return count_;
+        return b;
     }
-
-private:
-    struct End {
-        double x;
-        double f;
-    };
-    struct Signs {
-        int possible;  ///< 0: surely no root
-        bool one;      ///< surely one
-    };
 
     Signs signs(const Coefficients& b) const {
         int above = 0;
@@ -174,7 +189,23 @@ private:
         return {above == all || below == all ? 0 : 1, above + below == all && changes == 1};
     }
 
-    void search(const Coefficients& b, const End& lo, const End& hi, int depth) {
+    struct Halves {
+        Coefficients left;
+        Coefficients right;
+    };
+    static Halves halves(const Coefficients& b) {
+        // De Casteljau: `right` ends as the second half, its first entries on the way are the first half.
+        Halves cut;
+        cut.right = b;
+        cut.left[0] = b[0];
+        for (size_t k = 1; k <= N; ++k) {
+            for (size_t i = 0; i <= N - k; ++i) cut.right[i] = 0.5 * (cut.right[i] + cut.right[i + 1]);
+            cut.left[k] = cut.right[0];
+        }
+        return cut;
+    }
+
+    void search(const Coefficients& b, const End& lo, const End& hi, int levels) {
         if (count_ >= most_) return;
         const Signs found = signs(b);
         if (found.possible == 0) return;
@@ -183,23 +214,31 @@ private:
             return;
         }
         const double x = 0.5 * (lo.x + hi.x);
-        if (depth == 0 || !(x > lo.x && x < hi.x)) {
+        if (levels == 0 || !(x > lo.x && x < hi.x)) {
             double roots[N];
             const int n = roots_in<N>(c_, lo.x, hi.x, roots);
             for (int i = 0; i < n; ++i) add(roots[i]);
             return;
         }
-        // De Casteljau: `right` ends as the second half, its first entries on the way are the first half.
-        Coefficients left;
-        Coefficients right = b;
-        left[0] = right[0];
-        for (size_t k = 1; k <= N; ++k) {
-            for (size_t i = 0; i <= N - k; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
-            left[k] = right[0];
+        const Halves cut = halves(b);
+        const End middle = end(x);
+        search(cut.left, lo, middle, levels - 1);
+        search(cut.right, middle, hi, levels - 1);
+    }
+
+    /// For ends of the same sign.
+    bool changes_sign(const Coefficients& b, const End& lo, const End& hi, int levels) {
+        if (signs(b).possible == 0) return false;
+        const double x = 0.5 * (lo.x + hi.x);
+        if (levels == 0 || !(x > lo.x && x < hi.x)) {
+            double roots[N];
+            return roots_in<N>(c_, lo.x, hi.x, roots) > 0;
         }
-        const End middle{x, value_at<N>(c_, x).f};
-        search(left, lo, middle, depth - 1);
-        search(right, middle, hi, depth - 1);
+        const End middle = end(x);
+        if ((middle.f < 0.0) != (lo.f < 0.0)) return true;
+        const Halves cut = halves(b);
+        return changes_sign(cut.left, lo, middle, levels - 1) ||
+               changes_sign(cut.right, middle, hi, levels - 1);
     }
 
     /// A root at the end of two intervals comes twice.
@@ -252,6 +291,14 @@ int solve_cubic(const std::array<double, 4>& c, double lo, double hi, std::span<
 int solve_quartic(const std::array<double, 5>& c, double lo, double hi, std::span<double, 4> roots,
                   int most) {
     return Isolation<4>(c, roots.data(), most).search(lo, hi);
+}
+
+bool changes_sign(const std::array<double, 4>& c, double lo, double hi) {
+    return Isolation<3>(c, nullptr, 0).changes_sign(lo, hi);
+}
+
+bool changes_sign(const std::array<double, 5>& c, double lo, double hi) {
+    return Isolation<4>(c, nullptr, 0).changes_sign(lo, hi);
 }
 
 double root_bound(std::span<const double> coefficients) {

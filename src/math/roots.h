@@ -18,6 +18,10 @@ int solve_cubic(const std::array<double, 4>& c, double lo, double hi, std::span<
 int solve_quartic(const std::array<double, 5>& c, double lo, double hi, std::span<double, 4> roots,
                   int most = 4);
 
+/// True if the polynomial changes its sign within [lo, hi]: as the above, without asking where.
+bool changes_sign(const std::array<double, 4>& c, double lo, double hi);
+bool changes_sign(const std::array<double, 5>& c, double lo, double hi);
+
 /// A radius that holds all real roots (Cauchy's bound), for callers without an interval. Leading zeros are
 /// skipped.
 double root_bound(std::span<const double> coefficients);

@@ -116,7 +116,8 @@ public:
     /// The nearest crossing that passes `filter` (may be null); of several at the same t the last one found.
     virtual bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const;
 
-    /// True if there is a crossing that passes `filter`; `found` is then any one of them.
+    /// True if there is a crossing that passes `filter`; `found` is then any one of them, its t perhaps
+    /// rough.
     virtual bool any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const {
         return closest(ray, filter, found);
     }

@@ -17,7 +17,7 @@ public:
         });
     }
 
-    bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const final {
+    bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const override {
         bool found = false;
         double best = ray.t_max;
         self().each_crossing(ray, [&](double t, uint32_t part, const Vec2& at) {

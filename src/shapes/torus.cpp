@@ -43,17 +43,38 @@ public:
 
     template <class Sink>
     void each_crossing(const ShapeRay& query, Sink&& sink) const {
+        Equation equation;
+        if (!set_up(query, equation)) return;
         std::array<double, 4> roots{};
-        const int n = crossings_of(query, roots, 4);
-        for (int i = 0; i < n; ++i) sink(roots[static_cast<size_t>(i)], 0u, Vec2{0.0});
+        const int n = equation.roots(roots);
+        for (size_t i = 0; i < static_cast<size_t>(n); ++i)
+            sink((roots[i] + equation.middle) * equation.t_of_u, 0u, Vec2{0.0});
+    }
+
+    bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const override {
+        Equation equation;
+        if (!set_up(ray, equation)) return false;
+        // Mostly the first root is the one, and the others need not be found.
+        std::array<double, 4> roots{};
+        for (const int most : {1, 4}) {
+            const int n = equation.roots(roots, most);
+            for (int i = 0; i < n; ++i) {
+                const double t = (roots[static_cast<size_t>(i)] + equation.middle) * equation.t_of_u;
+                if (t > ray.t_max) return false;
+                if (!(t > ray.t_min)) continue;
+                nearest = {t, 0u, Vec2{0.0}};
+                if (!filter || filter->counts(nearest)) return true;
+            }
+            if (n < most) return false;
+        }
+        return false;
     }
 
     bool any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const override {
         if (filter) return closest(ray, filter, found);
-        std::array<double, 4> roots{};
-        if (crossings_of(ray, roots, 1) == 0) return false;
-        found = {roots[0], 0u, Vec2{0.0}};
-        return (roots[0] > ray.t_min && roots[0] <= ray.t_max) || closest(ray, filter, found);
+        Equation equation;
+        found = {ray.t_max, 0u, Vec2{0.0}};
+        return set_up(ray, equation) && equation.has_root_before(ray.t_max);
     }
 
     Vec3 normal(const Vec3& p, const Crossing&) const override {
@@ -90,39 +111,59 @@ public:
 
 private:
     struct Interval {
-        double lo;
-        double hi;
+        double lo = 0;
+        double hi = 0;
     };
 
-    /// The first `most` crossings from about t_min on, ascending. In units of the outer radius, with the
-    /// parameter's zero at the closest approach to the centre, or at the origin where the ray starts on the
-    /// surface and that root is divided out.
-    int crossings_of(const ShapeRay& query, std::array<double, 4>& roots, int most) const {
+    /// Where a ray crosses: roots of a polynomial in u, of the fourth degree, or of the third where the root
+    /// at the ray's origin is divided out. t = (u + middle) * t_of_u.
+    struct Equation {
+        std::array<double, 5> quartic{};
+        bool at_origin = false;
+        Interval in;  ///< all roots beyond t_min lie here
+        double middle = 0;
+        double t_of_u = 1;
+
+        std::array<double, 4> cubic() const { return {quartic[0], quartic[1], quartic[2], quartic[3]}; }
+        int roots(std::array<double, 4>& out, int most = 4) const {
+            return at_origin ? solve_cubic(cubic(), in.lo, in.hi, std::span<double, 3>(out.data(), 3), most)
+                             : solve_quartic(quartic, in.lo, in.hi, out, most);
+        }
+        bool has_root_before(double t_max) const {
+            const double hi = std::min(in.hi, t_max / t_of_u - middle);
+            if (!(in.lo < hi)) return false;
+            return at_origin ? changes_sign(cubic(), in.lo, hi) : changes_sign(quartic, in.lo, hi);
+        }
+    };
+
+    /// False if the ray misses. In units of the outer radius, with the parameter's zero at the closest
+    /// approach to the centre, or at the origin where the ray starts on the surface.
+    bool set_up(const ShapeRay& query, Equation& e) const {
         const double size = major_ + minor_;
-        if (!(size > 0.0)) return 0;
+        if (!(size > 0.0)) return false;
         const double unit = 1.0 / size;
         const Vec3 o = frame_.local_point(query.ray.origin) * unit;
         Vec3 d = frame_.local_direction(query.ray.direction);
         const double speed = 1.0 / glm::length(d);
         d *= speed;
-        const double t_of_u = size * speed;
+        e.t_of_u = size * speed;
         const double major = major_ * unit;
         const double r = minor_ * unit;
-        double middle = -glm::dot(o, d);
-        Vec3 q = o + middle * d;
-        const double u_of_t = 1.0 / t_of_u;
-        Interval in{query.t_min * u_of_t - middle, std::numeric_limits<double>::infinity()};
+        e.middle = -glm::dot(o, d);
+        Vec3 q = o + e.middle * d;
+        const double u_of_t = 1.0 / e.t_of_u;
+        e.in = {query.t_min * u_of_t - e.middle, std::numeric_limits<double>::infinity()};
         // The end of the query only rejects, so that a root does not depend on it.
-        if (!narrow(q, d, r, in) ||
-            passes_hole(q, d, major - r, {in.lo, std::min(in.hi, query.t_max * u_of_t - middle)}))
-            return 0;
+        if (!narrow(q, d, r, e.in) ||
+            passes_hole(q, d, major - r, {e.in.lo, std::min(e.in.hi, query.t_max * u_of_t - e.middle)}))
+            return false;
 
-        const bool starts = starts_here(query, o, major, r);
-        if (starts) {
-            in.lo = std::max(in.lo + middle, query.t_min * u_of_t);
-            in.hi += middle;
+        e.at_origin = starts_here(query, o, major, r);
+        if (e.at_origin) {
+            e.in.lo = std::max(e.in.lo + e.middle, query.t_min * u_of_t);
+            e.in.hi += e.middle;
             q = o;
-            middle = 0.0;
+            e.middle = 0.0;
         }
         const double rho = std::sqrt(q.x * q.x + q.z * q.z);
         const double k = glm::dot(q, q) + major * major - r * r;
@@ -130,18 +171,10 @@ private:
         const double f = 4.0 * major * major;
         const double c2 = 4.0 * b * b + 2.0 * k - f * (d.x * d.x + d.z * d.z);
         const double c1 = 4.0 * b * k - 2.0 * f * (q.x * d.x + q.z * d.z);
-        int n = 0;
-        if (starts) {
-            n = solve_cubic({1.0, 4.0 * b, c2, c1}, in.lo, in.hi, std::span<double, 3>(roots.data(), 3),
-                            std::min(most, 3));
-        } else {
-            const double across = rho - major;
-            const double c0 = (across * across + q.y * q.y - r * r) * (k + 2.0 * major * rho);
-            n = solve_quartic({1.0, 4.0 * b, c2, c1, c0}, in.lo, in.hi, roots, most);
-        }
-        for (int i = 0; i < n; ++i)
-            roots[static_cast<size_t>(i)] = (roots[static_cast<size_t>(i)] + middle) * t_of_u;
-        return n;
+        const double across = rho - major;
+        const double c0 = (across * across + q.y * q.y - r * r) * (k + 2.0 * major * rho);
+        e.quartic = {1.0, 4.0 * b, c2, c1, c0};
+        return true;
     }
 
     bool starts_here(const ShapeRay& query, const Vec3& o, double major, double r) const {
