@@ -149,8 +149,13 @@ void fill_hit(const Geometry::Parts& parts, const RayQuery& query, Hit& hit) {
 
 }  // namespace
 
-bool Geometry::candidates(const RayBundle& bundle, uint8_t mask, uint32_t origin_leaf,
-                          Candidates& out) const {
+bool Geometry::leaves_for_good(uint32_t leaf, bool outward) const {
+    const Leaf& l = leaves()[leaf];
+    const Curvature curvature = l.shape->curvature();
+    return curvature == Curvature::flat || (curvature == Curvature::convex && outward && !l.inverted);
+}
+
+bool Geometry::candidates(const RayBundle& bundle, uint8_t mask, uint32_t left, Candidates& out) const {
     const Parts& p = *parts;
     // Beyond that, single precision bounds nothing.
     constexpr double limit = 1e30;
@@ -158,16 +163,23 @@ bool Geometry::candidates(const RayBundle& bundle, uint8_t mask, uint32_t origin
     out.listed_count = 0;
     for (uint32_t i = 0; i < p.listed; ++i) {
         const Element& e = p.elements[i];
-        if ((e.mask & mask) == 0) continue;
-        const PlaneTest& plane = p.planes[i];
-        if (plane.normal != Vec3{0.0}) {
-            // A plane hides nothing from its own points.
-            if (e.leaf == origin_leaf || bundle.misses_plane(plane.normal, plane.distance)) continue;
-        }
+        if ((e.mask & mask) == 0 || e.leaf == left || p.passes_by(i, bundle)) continue;
         if (out.listed_count == Candidates::most_listed) return false;
         out.listed[out.listed_count++] = i;
     }
-    return out.boxes.gather(p.tree, bundle, mask);
+    return out.boxes.gather(p.tree, bundle, mask, p.boxed(left));
+}
+
+Candidates Geometry::candidates(const Candidates& wider, const RayBundle& bundle, uint32_t left) const {
+    const Parts& p = *parts;
+    Candidates out;
+    for (size_t i = 0; i < wider.listed_count; ++i) {
+        const uint32_t element = wider.listed[i];
+        if (p.elements[element].leaf != left && !p.passes_by(element, bundle))
+            out.listed[out.listed_count++] = element;
+    }
+    out.boxes.gather(wider.boxes, bundle, p.boxed(left));
+    return out;
 }
 
 bool Geometry::closest(const RayQuery& query, Hit& hit, const Candidates* candidates) const {

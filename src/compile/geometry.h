@@ -15,8 +15,15 @@ public:
     const Leaf& leaf(uint32_t index) const { return leaves()[index]; }
 
     /// What rays of the bundle with any of the mask's bits may meet; false if that is too much to be listed.
-    /// `origin_leaf`: the leaf on whose surface all of them start, or no_leaf.
-    bool candidates(const RayBundle& bundle, uint8_t mask, uint32_t origin_leaf, Candidates& out) const;
+    /// `left`: a leaf that all of them leave for good, or no_leaf.
+    bool candidates(const RayBundle& bundle, uint8_t mask, uint32_t left, Candidates& out) const;
+
+    /// What of `wider` the rays of a narrower bundle may meet.
+    Candidates candidates(const Candidates& wider, const RayBundle& bundle, uint32_t left) const;
+
+    /// True if a ray that starts on the leaf cannot meet it again. `outward`: it goes to the leaf's outer
+    /// side, and not along the surface.
+    bool leaves_for_good(uint32_t leaf, bool outward) const;
 
     /// The nearest crossing that counts (CSG, clips, mask), beyond the origin and before t_max. `candidates`,
     /// here and below: of a bundle that holds the ray, or null.

@@ -38,6 +38,17 @@ struct Geometry::Parts {
     std::vector<uint32_t> element_of_leaf;
     std::vector<ElementError> errors;  ///< by leaf
     uint8_t all_masks = 0;
+
+    /// True if no ray of the bundle can meet a listed element, as far as that is easy to tell.
+    bool passes_by(uint32_t element, const RayBundle& bundle) const {
+        const PlaneTest& plane = planes[element];
+        return plane.normal != Vec3{0.0} && bundle.misses_plane(plane.normal, plane.distance);
+    }
+    /// A leaf as an element of the tree.
+    uint32_t boxed(uint32_t leaf) const {
+        const uint32_t element = leaf < element_of_leaf.size() ? element_of_leaf[leaf] : no_leaf;
+        return element != no_leaf && element >= listed ? element - listed : BoxList::no_element;
+    }
 };
 
 /// Sets up the queries over flattened solids. With `brute_force` every element is listed.

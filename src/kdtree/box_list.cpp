@@ -91,7 +91,7 @@ void BoxList::add(const Node& node, size_t lane, float near) {
     copy(node, lane, nodes_[place / 4], place % 4);
 }
 
-bool BoxList::gather(const BoxTree& tree, const RayBundle& bundle, uint8_t mask) {
+bool BoxList::gather(const BoxTree& tree, const RayBundle& bundle, uint8_t mask, uint32_t without) {
     count_ = 0;
     if (tree.is_empty()) return true;
     center_ = tree.center_;
@@ -110,6 +110,8 @@ bool BoxList::gather(const BoxTree& tree, const RayBundle& bundle, uint8_t mask)
             if ((node.mask[i] & mask) == 0) continue;
             if ((node.child[i] & BoxTree::element_bit) == 0) {
                 waiting[waiting_count++] = node.child[i];
+            } else if (node.child[i] == (without | BoxTree::element_bit)) {
+                continue;
             } else if (count_ < most) {
                 add(node, i, near_of[i]);
             } else {
@@ -117,7 +119,29 @@ bool BoxList::gather(const BoxTree& tree, const RayBundle& bundle, uint8_t mask)
             }
         }
     }
-    // Lanes without an element are never met.
+    close();
+    return true;
+}
+
+void BoxList::gather(const BoxList& wider, const RayBundle& bundle, uint32_t without) {
+    count_ = 0;
+    if (wider.is_empty()) return;
+    center_ = wider.center_;
+    reach_ = wider.reach_;
+    const BoxBundle slabs(bundle, center_, reach_);
+    for (size_t k = 0; 4 * k < wider.count_; ++k) {
+        alignas(16) float near_of[4];
+        for (unsigned met = slabs.meets(wider.nodes_[k].planes, near_of); met != 0; met &= met - 1) {
+            const auto i = static_cast<size_t>(std::countr_zero(met));
+            if (wider.nodes_[k].child[i] == (without | BoxTree::element_bit)) continue;
+            add(wider.nodes_[k], i, near_of[i]);
+        }
+    }
+    close();
+}
+
+/// Lanes without an element are never met.
+void BoxList::close() {
     for (size_t lane = count_; lane % 4 != 0; ++lane) {
         for (auto& axis : nodes_[lane / 4].planes) {
             axis[0][lane % 4] = std::numeric_limits<float>::infinity();
@@ -125,7 +149,6 @@ bool BoxList::gather(const BoxTree& tree, const RayBundle& bundle, uint8_t mask)
         }
         nodes_[lane / 4].mask[lane % 4] = 0;
     }
-    return true;
 }
 
 }  // namespace rb

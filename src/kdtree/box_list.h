@@ -12,8 +12,14 @@ class BoxList {
 public:
     static constexpr size_t most = 16;
 
-    /// False (and the list is useless) if there are more than `most`, or if they lie all over the tree.
-    bool gather(const BoxTree& tree, const RayBundle& bundle, uint8_t mask);
+    static constexpr uint32_t no_element = BoxTree::element_bit - 1;
+
+    /// Lists the elements but `without`. False (and the list is useless) if there are more than `most`, or if
+    /// they lie all over the tree.
+    bool gather(const BoxTree& tree, const RayBundle& bundle, uint8_t mask, uint32_t without);
+
+    /// Keeps of another list what a narrower bundle may meet.
+    void gather(const BoxList& wider, const RayBundle& bundle, uint32_t without);
 
     bool is_empty() const { return count_ == 0; }
 
@@ -24,6 +30,7 @@ public:
 private:
     using Node = BoxTree::Node;
     void add(const Node& node, size_t lane, float near);
+    void close();
 
     Vec3 center_{0.0};
     float reach_ = 0;

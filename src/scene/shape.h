@@ -89,6 +89,9 @@ struct TextureWeight {
     float weight = 1;
 };
 
+/// How a surface bends. From a flat one no ray comes back to it; from a convex one none that leaves outward.
+enum class Curvature { any, convex, flat };
+
 /// Geometry in its own space, immutable and shared by all its copies. See docs/architecture.md, "Shapes".
 class Shape {
 public:
@@ -145,6 +148,8 @@ public:
     /// Indices into textures() and weights (sum 1) at a crossing; 0 entries where the object's own texture
     /// shows.
     virtual int textures_at(const Crossing&, std::array<TextureWeight, 3>&) const { return 0; }
+
+    virtual Curvature curvature() const { return Curvature::any; }
 
     /// True for a sphere: the ball in the middle of its box holds it.
     virtual bool fills_ball() const { return false; }

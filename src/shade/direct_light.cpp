@@ -113,7 +113,7 @@ const Candidates* DirectLight::candidates(const LightProgram& source, std::span<
     if (source.is_directed() && source.light().is_area) return nullptr;
     Bounds points;
     Bounds ends;
-    uint32_t leaf = state_.hits[rows[places.front().row].hit].leaf;
+    uint32_t left = state_.hits[rows[places.front().row].hit].leaf;
     for (const Reached& place : places) {
         const Vec3 point = columns.point(place.row);
         points.include(point);
@@ -121,13 +121,15 @@ const Candidates* DirectLight::candidates(const LightProgram& source, std::span<
             const LightVector way = ways.at(place.row);
             ends.include(point + way.distance * way.direction);
         }
-        if (state_.hits[rows[place.row].hit].leaf != leaf) leaf = no_leaf;
+        if (left == no_leaf) continue;
+        const HitPoint& hit = state_.hits[rows[place.row].hit];
+        if (hit.leaf != left || !shadows_.leaves_for_good(source, hit, ways.at(place.row))) left = no_leaf;
     }
     if (!source.is_directed()) ends.include(source.light().location);
     ends.lo -= source.area_reach();
     ends.hi += source.area_reach();
     const RayBundle bundle = RayBundle::between(points, ends);
-    return program_.geometry.candidates(bundle, program_.shadow_mask, leaf, candidates_) ? &candidates_
+    return program_.geometry.candidates(bundle, program_.shadow_mask, left, candidates_) ? &candidates_
                                                                                          : nullptr;
 }
 

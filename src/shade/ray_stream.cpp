@@ -94,17 +94,15 @@ const Candidates* RayStream::candidates(std::span<const PathRay> rays) {
     Bounds origins;
     Bounds directions;
     uint8_t mask = 0;
-    uint32_t leaf = rays.front().origin_leaf;
     for (const PathRay& ray : rays) {
         origins.include(ray.ray.origin);
         directions.include(ray.ray.direction);
         mask |= mask_of(ray);
-        if (ray.origin_leaf != leaf) leaf = no_leaf;
     }
     constexpr double widest = 0.5;
     if (max_component(directions.size()) > widest) return nullptr;
     const RayBundle bundle = RayBundle::along(origins, directions);
-    return program_.geometry.candidates(bundle, mask, leaf, candidates_) ? &candidates_ : nullptr;
+    return program_.geometry.candidates(bundle, mask, no_leaf, candidates_) ? &candidates_ : nullptr;
 }
 
 void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
@@ -135,7 +133,7 @@ void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgr
     state_.hits.push_back({hit.point, from_inside ? -hit.normal : hit.normal, direction, hit.t, hit.error,
                            ray_index, hit.leaf, hit.crossing.part,
                            from_inside ? surface.interior_look : surface.look, surface.interior, weight,
-                           alpha, surface.uv_mapping, surface.double_illuminate});
+                           alpha, surface.uv_mapping, surface.double_illuminate, from_inside});
     if (!surface.needs_uv) return;
     if (state_.uv.size() <= index) state_.uv.resize(index + 1);
     state_.uv[index] = program_.geometry.uv(hit);

@@ -199,9 +199,38 @@ struct ShadowTracer::Grid {
     GridCorner corner(int u, int v) const { return {u, v, static_cast<uint32_t>(v * width + u)}; }
 };
 
+bool ShadowTracer::leaves_for_good(const LightProgram& light, const HitPoint& hit,
+                                   const LightVector& to_center) const {
+    // Above the surface by a hundredth of a thousandth at the least, from all over the light's area.
+    constexpr double least = 1e-5;
+    const double height = glm::dot(hit.normal, to_center.direction) * to_center.distance -
+                          glm::dot(glm::abs(hit.normal), light.area_reach());
+    return program_.geometry.leaves_for_good(hit.leaf,
+                                             !hit.from_inside && height > least * to_center.distance);
+}
+
+/// What may be between one point and an area light: many rays go there, so that it pays to look closely.
+const Candidates* ShadowTracer::narrowed(const LightProgram& light, const HitPoint& hit,
+                                         const LightVector& to_center, const Candidates* wider,
+                                         Candidates& memory) const {
+    if (!program_.options.skip_unneeded || light.is_directed()) return wider;
+    const Vec3& center = light.light().location;
+    const RayBundle bundle = RayBundle::between({hit.point, hit.point},
+                                                {center - light.area_reach(), center + light.area_reach()});
+    const uint32_t left = leaves_for_good(light, hit, to_center) ? hit.leaf : no_leaf;
+    if (wider) {
+        memory = program_.geometry.candidates(*wider, bundle, left);
+        return &memory;
+    }
+    return program_.geometry.candidates(bundle, program_.shadow_mask, left, memory) ? &memory : nullptr;
+}
+
 Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color,
                             const Candidates* candidates) {
     const AreaGrid& area = program_.lights[light].light().area;
+    Candidates memory_of_candidates;
+    candidates = narrowed(program_.lights[light], hit, to_center, candidates, memory_of_candidates);
+    if (candidates && candidates->none() && !is_dimmed(program_.lights[light].light())) return color;
     Scratch::Scope memory(thread_scratch());
     const size_t count = program_.lights[light].sample_count();
     const AreaSampler sampler(program_.lights[light], light, state_.ray_of(hit).seed, to_center.direction, 0,

@@ -16,10 +16,15 @@ public:
     Rgb arriving(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color,
                  const Candidates* candidates);
 
+    /// True if no shadow ray from a hit to the light can meet the hit's own surface.
+    bool leaves_for_good(const LightProgram& light, const HitPoint& hit, const LightVector& to_center) const;
+
 private:
     struct Grid;
     struct GridCorner;
     bool is_dimmed(const Light& light) const;
+    const Candidates* narrowed(const LightProgram& light, const HitPoint& hit, const LightVector& to_center,
+                               const Candidates* wider, Candidates& memory) const;
     Rgb along(const Light& light, const HitPoint& hit, const LightVector& way, Rgb color,
               const Candidates* candidates, uint32_t& blocker);
     Rgb filtered(const HitPoint& hit, const LightVector& way, double t_max, Rgb color,

@@ -63,6 +63,7 @@ struct HitPoint {
     float alpha = 1;
     bool uv_mapping = false;
     bool double_illuminate = false;
+    bool from_inside = false;  ///< the normal was turned
 };
 
 /// Light added up for a pixel, or for a mirror whose light is raised to a power before it counts.

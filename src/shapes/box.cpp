@@ -15,6 +15,7 @@ public:
     Box(const Vec3& a, const Vec3& b) : lo_(glm::min(a, b)), hi_(glm::max(a, b)) {}
 
     std::string_view keyword() const override { return "box"; }
+    Curvature curvature() const override { return Curvature::convex; }
     Bounds bounds() const override { return {lo_, hi_}; }
     bool inside(const Vec3& p) const override { return Bounds{lo_, hi_}.contains(p); }
 

@@ -16,6 +16,7 @@ public:
         : frame_(frame), radius_(std::abs(radius)), hole_(std::abs(hole)) {}
 
     std::string_view keyword() const override { return "disc"; }
+    Curvature curvature() const override { return Curvature::flat; }
     Bounds bounds() const override {
         const Bounds box = frame_.circle_bounds(radius_, 0.0);
         const Vec3 pad = 4.0 * std::numeric_limits<double>::epsilon() * (glm::abs(box.lo) + glm::abs(box.hi));

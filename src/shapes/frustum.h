@@ -18,6 +18,7 @@ public:
         : keyword_(keyword), frame_(frame), profile_(profile), open_(open) {}
 
     std::string_view keyword() const override { return keyword_; }
+    Curvature curvature() const override { return Curvature::convex; }
     Bounds bounds() const override;
     Bounds solid_bounds() const override;
     Bounds language_extent() const override;

@@ -17,6 +17,7 @@ public:
     }
 
     std::string_view keyword() const override { return "plane"; }
+    Curvature curvature() const override { return Curvature::flat; }
     Bounds bounds() const override { return Bounds::everything(); }
 
     Bounds solid_bounds() const override {

@@ -15,6 +15,7 @@ public:
         : center_(center), radius_(std::abs(radius)), local_(std::move(local_from_object)) {}
 
     std::string_view keyword() const override { return "sphere"; }
+    Curvature curvature() const override { return Curvature::convex; }
     Bounds bounds() const override { return {center_ - radius_, center_ + radius_}; }
 
     bool fills_ball() const override { return true; }

@@ -39,6 +39,7 @@ public:
     }
 
     std::string_view keyword() const override { return normals_ ? "smooth_triangle" : "triangle"; }
+    Curvature curvature() const override { return Curvature::flat; }
     Bounds bounds() const override {
         Bounds box;
         if (degenerate_) return box;

@@ -1,5 +1,6 @@
-// The box tree against exact slab tests in double: no element whose box the ray meets may be missing.
-#include "kdtree/box_tree.h"
+// The box tree, and lists made from it, against exact slab tests in double: no element whose box the ray
+// meets may be missing.
+#include "kdtree/box_list.h"
 
 #include <cmath>
 #include <random>
@@ -50,10 +51,52 @@ public:
         }
     }
 
+    /// Bundles of a few rays: what the list of a bundle finds for a ray must be what the tree finds. Returns
+    /// how many lists were short enough.
+    int shoot_bundles(int bundles) {
+        int listed = 0;
+        for (int i = 0; i < bundles; ++i) {
+            const Vec3 from = place_ + scale_ * Vec3{whole(), whole(), whole()};
+            const Vec3 way = Vec3{step(), step(), step()} + 0.1 * Vec3{unit(), unit(), unit()};
+            const double spread = i % 4 == 0 ? 0.0 : 0.2 * std::abs(unit());
+            const bool segments = i % 2 == 0;
+            const double far = segments ? 1.0 : 1e300;
+            std::vector<Ray> rays;
+            Bounds origins;
+            Bounds ends;
+            for (int k = 0; k < 6; ++k) {
+                const Vec3 shift = scale_ * spread * Vec3{unit(), unit(), unit()};
+                const Vec3 turn = spread * Vec3{unit(), unit(), unit()};
+                rays.push_back({from + shift, (segments ? 3.0 * scale_ : 1.0) * (way + turn)});
+                origins.include(rays.back().origin);
+                ends.include(segments ? rays.back().at(1.0) : rays.back().direction);
+            }
+            const auto bundle =
+                segments ? RayBundle::between(origins, ends) : RayBundle::along(origins, ends);
+            BoxList list;
+            const uint8_t wanted = mask();
+            if (!list.gather(tree_, bundle, wanted, BoxList::no_element)) continue;
+            ++listed;
+            BoxList again;
+            again.gather(list, bundle, BoxList::no_element);
+            for (const Ray& ray : rays) {
+                check(list, ray, wanted, 0.0, far);
+                check(again, ray, wanted, 0.0, far);
+            }
+        }
+        return listed;
+    }
+
 private:
     void check(const Ray& ray, uint8_t wanted, double t_min, double t_max) const {
+        check(tree_, ray, wanted, t_min, t_max);
+    }
+
+    template <class Boxes>
+    void check(const Boxes& boxes, const Ray& ray, uint8_t wanted, double t_min, double t_max) const {
+        if (ray.direction == Vec3{0.0}) return;
         std::vector<bool> seen(items_.size(), false);
-        tree_.walk(ray, wanted, t_min, t_max, [&](uint32_t element) {
+        boxes.walk(ray, wanted, t_min, t_max, [&](uint32_t element) {
             const uint32_t item = tree_.order()[element];
             EXPECT_FALSE(seen[item]);
             EXPECT_NE(items_[item].mask & wanted, 0);
@@ -86,6 +129,46 @@ TEST(BoxTree, MissesNoBox) {
             Scene(scale, Vec3{0.0}, count).shoot(2000);
         }
     }
+}
+
+TEST(BoxList, MissesNoBox) {
+    int listed = 0;
+    for (const double scale : {1e-30, 1e-6, 1.0, 0.3, 1e6, 1e20}) {
+        for (const int count : {1, 2, 5, 40, 700}) {
+            listed += Scene(scale, scale * Vec3{0.1, -7.7, 1e4}, count).shoot_bundles(2000);
+            listed += Scene(scale, Vec3{0.0}, count).shoot_bundles(2000);
+        }
+    }
+    EXPECT_GT(listed, 10000);
+}
+
+TEST(RayBundle, MissesAPlaneOnlyIfAllItsRaysDo) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };
+    int missed = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 normal = i % 3 == 0 ? Vec3{0, 1, 0} : glm::normalize(vector());
+        const double distance = i % 5 == 0 ? 0.0 : unit(random);
+        Bounds origins;
+        Bounds ends;
+        std::vector<Ray> rays;
+        const Vec3 from = 2.0 * vector();
+        const Vec3 way = vector();
+        for (int k = 0; k < 4; ++k) {
+            rays.push_back({from + 0.1 * vector(), way + 0.1 * vector()});
+            origins.include(rays.back().origin);
+            ends.include(i % 2 ? rays.back().direction : rays.back().at(1.0));
+        }
+        const auto bundle = i % 2 ? RayBundle::along(origins, ends) : RayBundle::between(origins, ends);
+        if (!bundle.misses_plane(normal, distance)) continue;
+        ++missed;
+        for (const Ray& ray : rays) {
+            const double t = (distance - glm::dot(normal, ray.origin)) / glm::dot(normal, ray.direction);
+            EXPECT_FALSE(t > 0.0 && t <= bundle.far);
+        }
+    }
+    EXPECT_GT(missed, 5000);
 }
 
 TEST(BoxTree, ManyEqualBoxes) {

@@ -72,6 +72,9 @@ TEST(Roots, RandomQuarticsKeepSimpleRoots) {
         const double a = wanted[0], b = wanted[1], c = wanted[2], d = wanted[3];
         const std::array<double, 5> p{1, -(a + b + c + d), a * b + a * c + a * d + b * c + b * d + c * d,
                                       -(a * b * c + a * b * d + a * c * d + b * c * d), a * b * c * d};
+        EXPECT_TRUE(changes_sign(p, -1.5, a + 0.5 * gap));
+        EXPECT_TRUE(changes_sign(p, a + 0.5 * gap, d - 0.5 * gap));
+        EXPECT_FALSE(changes_sign(p, a + 0.1 * gap, b - 0.1 * gap));
         std::array<double, 4> got{};
         const int n = solve_quartic(p, -1.5, 1.5, got);
         if (n != 4) {
