@@ -92,10 +92,13 @@ void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, Shado
         for (size_t begin = 0; begin < lit; begin += bundle_size) {
             const auto places = reached.subspan(begin, std::min(bundle_size, lit - begin));
             const Candidates* between = candidates(source, rows, places, columns, ways);
+            const bool all_arrives = shadows_.passes_all(source, between);
             for (const Reached& place : places) {
                 LitRow& row = rows[place.row];
                 const LightVector way = ways.at(place.row);
-                Rgb sum = place.share * arriving(light, row, way, place.color, between, memory);
+                Rgb sum =
+                    place.share *
+                    (all_arrives ? place.color : arriving(light, row, way, place.color, between, memory));
                 if (has_film) sum *= thin_film(finish, row, way.direction);
                 row.light += sum;
             }

@@ -84,11 +84,15 @@ bool ShadowTracer::is_dimmed(const Light& light) const {
     return light.media_interaction && light.media_attenuation && !program_.fog.empty();
 }
 
+bool ShadowTracer::passes_all(const LightProgram& light, const Candidates* candidates) const {
+    if (light.is_shadowless() || program_.options.quality < 4) return true;
+    return candidates && candidates->none() && !is_dimmed(light.light());
+}
+
 Rgb ShadowTracer::arriving(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color,
                            const Candidates* candidates) {
     const LightProgram& program = program_.lights[light];
-    if (program.is_shadowless() || program_.options.quality < 4) return color;
-    if (candidates && candidates->none() && !is_dimmed(program.light())) return color;
+    if (passes_all(program, candidates)) return color;
     if (program.light().is_area) return over_area(light, hit, to_center, color, candidates);
     return along(program.light(), hit, to_center, color, candidates,
                  state_.blockers[program_.first_sample[light]]);
@@ -230,7 +234,7 @@ Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector
     const AreaGrid& area = program_.lights[light].light().area;
     Candidates memory_of_candidates;
     candidates = narrowed(program_.lights[light], hit, to_center, candidates, memory_of_candidates);
-    if (candidates && candidates->none() && !is_dimmed(program_.lights[light].light())) return color;
+    if (passes_all(program_.lights[light], candidates)) return color;
     Scratch::Scope memory(thread_scratch());
     const size_t count = program_.lights[light].sample_count();
     const AreaSampler sampler(program_.lights[light], light, state_.ray_of(hit).seed, to_center.direction, 0,

@@ -16,6 +16,9 @@ public:
     Rgb arriving(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color,
                  const Candidates* candidates);
 
+    /// True if nothing that may be between takes any of a light's light.
+    bool passes_all(const LightProgram& light, const Candidates* candidates) const;
+
     /// True if no shadow ray from a hit to the light can meet the hit's own surface.
     bool leaves_for_good(const LightProgram& light, const HitPoint& hit, const LightVector& to_center) const;
 
