@@ -23,7 +23,7 @@ public:
 
     bool is_empty() const { return count_ == 0; }
 
-    /// As BoxTree::walk(), for a ray of the bundle.
+    /// As BoxTree::walk(), for a ray of the bundle; one or two elements are visited whatever their boxes.
     template <class Visit>
     bool walk(const Ray& ray, uint8_t mask, double t_min, const double& t_max, Visit&& visit) const;
 
@@ -41,7 +41,12 @@ private:
 
 template <class Visit>
 bool BoxList::walk(const Ray& ray, uint8_t mask, double t_min, const double& t_max, Visit&& visit) const {
-    if (count_ == 0) return false;
+    if (count_ <= 2) {
+        for (size_t i = 0; i < count_; ++i) {
+            if ((nodes_[0].mask[i] & mask) != 0 && visit(nodes_[0].child[i] & ~BoxTree::element_bit)) return true;
+        }
+        return false;
+    }
     const BoxRay slabs(ray, center_, reach_);
     const float near = slabs.scaled_down(t_min);
     for (size_t k = 0; 4 * k < count_; ++k) {
