@@ -14,12 +14,14 @@ namespace rb {
 namespace {
 
 constexpr std::string_view version_text =
-    "RenderBoy 0.1.0 (reads POV-Ray 3.7 scenes; POV-Ray 3.7 compatible command line)\n";
+    "RenderBoy 0.1.0\nReads the scenes of POV-Ray 3.7 and takes its command line "
+    "(as POV-Ray 3.7.0.10.unofficial does).\n";
 
 constexpr std::string_view footer =
     "POV-Ray's own words are taken too, in any mix: +Iscene.pov +Oout.png +W640 +H480 +A0.3 +AM2 +R3 +J +Q9 "
     "+FN16 +UA\n"
     "+L<dir> +WT<n> +SC +EC +SR +ER -D -P -V, Name=value options, file.ini[section].\n\n"
+    "renderboy check SCENE reads a scene and lists what does not work yet (--deps: the files it uses).\n"
     "renderboy diff A B compares two pictures; see `renderboy diff --help`.\n"
     "Exit codes: 0 done, 1 error (or a limit of diff passed), 2 stopped by a signal.";
 
@@ -75,6 +77,9 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     }
     CommandLine line;
     Settings& settings = line.settings;
+    const bool has_command =
+        !arguments.empty() && (arguments.front() == "render" || arguments.front() == "check");
+    if (has_command && arguments.front() == "check") line.command = Command::check;
     CLI::App app{"Renders POV-Ray 3.7 scenes.", "renderboy"};
     app.footer(std::string(footer));
     app.allow_extras();
@@ -106,7 +111,19 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     app.add_flag("--no-skip", no_skip, "do work that the scene does not need, too; same picture");
     app.add_flag("--brute-force", settings.brute_force, "no kD-trees; same picture, slowly");
 
+    app.add_flag("--strict", settings.strict,
+                 "exact file names and syntax only; otherwise trifles are warnings");
+    app.add_option("--allow-write", settings.allow_write,
+                   "a folder below which the scene may write files, too (more than once)")
+        ->allow_extra_args(false);
+    app.add_flag("--allow-commands", settings.allow_commands,
+                 "run the Pre_/Post_ commands of INI files in a shell");
+    if (line.command == Command::check) {
+        app.add_flag("--deps", settings.list_files, "list the files that the scene is made of");
+    }
+
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    if (has_command) reversed.pop_back();
     try {
         app.parse(reversed);
     } catch (const CLI::CallForHelp&) {
@@ -125,9 +142,7 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     if (settings.stats_file == "json") settings.stats_file = "-";
 
     read_initial_ini(settings);
-    std::vector<std::string> words = app.remaining();
-    if (!words.empty() && words.front() == "render") words.erase(words.begin());
-    for (const std::string& word : words) apply_argument(settings, word);
+    for (const std::string& word : app.remaining()) apply_argument(settings, word);
 
     if (size) set_size(settings, *size);
     if (threads) set_option(settings, "Work_Threads", *threads);

@@ -20,6 +20,8 @@ public:
     /// One diagnostic, compiler style; an error is followed by the reference's own one-line form off a
     /// terminal.
     void diagnostic(const Diagnostic& diagnostic, const SourceMap& sources);
+    /// All diagnostics from number `first` on.
+    void report(const Diagnostics& diagnostics, const SourceMap& sources, size_t first = 0);
     void progress(size_t done, size_t total);
     void end_progress();
 

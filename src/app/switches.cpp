@@ -244,6 +244,7 @@ void read_ini(Settings& settings, const std::string& path, std::string_view sect
         Deeper() { ++ini_depth(); }
         ~Deeper() { --ini_depth(); }
     } const deeper;
+    settings.ini_files.push_back(path);
     bool counts = true;
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) {

@@ -1,11 +1,13 @@
 #include "language/load.h"
 
+#include "language/find_file.h"
 #include "language/open_file.h"
 #include "language/parser.h"
 #include "language/read.h"
 #include "language/unsupported.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -15,10 +17,15 @@ namespace {
 
 constexpr int most_errors = 20;
 
+/// Numbers from outside reach a scene as text of six digits (language spec 23.5).
+double as_declared(double value) {
+    return std::strtod(fmt::format("{:.6g}", static_cast<float>(value)).c_str(), nullptr);
+}
+
 void declare_numbers(Session& session) {
     const LoadOptions& o = session.options;
     const auto number = [&](std::string_view name, double value) {
-        session.symbols.create_global(session.words.number(name))->value = Terms{{value}, 1};
+        session.symbols.create_global(session.words.number(name))->value = Terms{{as_declared(value)}, 1};
     };
     number("image_width", o.image_width);
     number("image_height", o.image_height);
@@ -37,7 +44,7 @@ void declare_numbers(Session& session) {
         if (const auto* text = std::get_if<std::string>(&at->second)) {
             slot->value = *text;
         } else {
-            slot->value = Terms{{std::get<double>(at->second)}, 1};
+            slot->value = Terms{{as_declared(std::get<double>(at->second))}, 1};
         }
     }
 }
@@ -50,7 +57,7 @@ bool open_input(Session& session) {
     if (o.input_text) {
         text = *o.input_text;
     } else {
-        const auto path = find_file(session, o.input_file, FileType::scene);
+        const auto path = find_file(session, o.input_file, FileType::scene, {});
         std::optional<std::string> read = path ? read_whole_file(*path) : std::nullopt;
         if (!read) {
             session.diagnostics.error({}, fmt::format("Cannot open input file '{}'.", o.input_file));
@@ -68,7 +75,7 @@ bool open_input(Session& session) {
     if (!source.empty() && static_cast<unsigned char>(source[0]) >= 128) session.charset = Charset::utf8;
     session.stream.open_file(lex(number, source, session.words, lexing), {}, false);
     if (o.include_header) {
-        const auto path = find_file(session, *o.include_header, FileType::include);
+        const auto path = find_file(session, *o.include_header, FileType::include, {});
         if (!path) {
             session.diagnostics.error({}, fmt::format("Cannot open include file {}.", *o.include_header));
             return false;
