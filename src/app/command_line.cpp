@@ -148,7 +148,7 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     if (threads) set_option(settings, "Work_Threads", *threads);
     if (quality) set_option(settings, "Quality", *quality);
     if (output) {
-        settings.output_file = *output;
+        set_option(settings, "Output_File_Name", *output);
         if (const auto type = file_type_for(*output)) settings.file_type = *type;
     }
     if (settings.input_file.empty()) throw UsageError("No input file provided");

@@ -23,6 +23,31 @@ std::string spelled(std::string key) {
     return key;
 }
 
+/// The letter of Output_File_Type; none for what only -o can ask for.
+std::string_view letter_of(FileType type) {
+    switch (type) {
+        case FileType::png:
+            return "N";
+        case FileType::ppm:
+            return "P";
+        case FileType::tga:
+            return "C";
+        case FileType::tga_uncompressed:
+            return "T";
+        case FileType::jpeg:
+            return "J";
+        case FileType::bmp:
+            return "B";
+        case FileType::exr:
+            return "E";
+        case FileType::hdr:
+            return "H";
+        case FileType::tiff:
+            return "";
+    }
+    return "";
+}
+
 bool is_list(std::string_view key) { return key == "library_path" || key == "declare"; }
 
 }  // namespace
@@ -40,6 +65,15 @@ void create_ini(const Settings& settings) {
         } else {
             before->second = value;
         }
+    }
+    // -o decides the type without an option of its own.
+    const std::string_view letter = letter_of(settings.file_type);
+    const bool is_said = std::ranges::any_of(options, [&](const auto& option) {
+        return option.first == "output_file_type" && spelled(option.second).starts_with(letter);
+    });
+    if (!is_said && !letter.empty()) {
+        std::erase_if(options, [](const auto& option) { return option.first == "output_file_type"; });
+        options.emplace_back("output_file_type", letter);
     }
     std::ranges::stable_sort(options, {}, &std::pair<std::string, std::string>::first);
     std::ofstream out(settings.create_ini);

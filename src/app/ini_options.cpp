@@ -152,7 +152,10 @@ struct Option {
 std::vector<Option> make_options() {
     return {
         {"input_file_name", text_of(&Settings::input_file)},
-        {"include_header", [](Settings& s, std::string_view, std::string_view v) { s.include_header = v; }},
+        {"include_header",
+         [](Settings& s, std::string_view, std::string_view v) {
+             s.include_header = v.empty() ? std::nullopt : std::optional<std::string>(v);
+         }},
         {"library_path",
          [](Settings& s, std::string_view, std::string_view v) { s.library_paths.emplace_back(v); }},
         {"declare", [](Settings& s, std::string_view, std::string_view v) { declare(s, v); }},

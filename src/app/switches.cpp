@@ -217,11 +217,11 @@ void apply_word(Settings& settings, std::string_view word) {
         return;
     }
     if (word == "-" || ends_with(word, ".pov")) {
-        settings.input_file = word;
+        set_option(settings, "Input_File_Name", word);
         return;
     }
     if (word.back() == '/') {
-        settings.library_paths.emplace_back(word);
+        set_option(settings, "Library_Path", word);
         return;
     }
     std::string_view section;

@@ -3,6 +3,7 @@
 #include "language/session.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 
@@ -129,6 +130,12 @@ std::optional<std::string> find_file(Session& session, const std::string& name, 
     }
     if (path && session.options.file_used) session.options.file_used(*path);
     return path;
+}
+
+bool names_file_type(std::string_view word) {
+    constexpr std::array<std::string_view, 14> types{"png",  "gif", "tga", "iff", "ppm", "pgm", "jpeg",
+                                                     "tiff", "exr", "hdr", "bmp", "df3", "ttf", "sys"};
+    return std::ranges::find(types, word) != types.end();
 }
 
 bool file_exists(const Session& session, const std::string& name) {

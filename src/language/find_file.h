@@ -17,6 +17,9 @@ enum class FileType { scene, include, data, image, font, df3 };
 std::optional<std::string> find_file(Session& session, const std::string& name, FileType type,
                                      SourceRange where);
 
+/// `png`, `ttf`, ...: a word behind which a file name stands.
+bool names_file_type(std::string_view word);
+
 /// Whether the exact name is there, for the scene language's own question.
 bool file_exists(const Session& session, const std::string& name);
 

@@ -49,8 +49,8 @@ void declare_numbers(Session& session) {
     }
 }
 
-/// Opens the scene (and the file that goes before it); false if it cannot be read.
-bool open_input(Session& session) {
+/// Opens the scene and the file that goes before it.
+void open_input(Session& session) {
     const LoadOptions& o = session.options;
     std::string name = o.input_file;
     std::string text;
@@ -59,10 +59,7 @@ bool open_input(Session& session) {
     } else {
         const auto path = find_file(session, o.input_file, FileType::scene, {});
         std::optional<std::string> read = path ? read_whole_file(*path) : std::nullopt;
-        if (!read) {
-            session.diagnostics.error({}, fmt::format("Cannot open input file '{}'.", o.input_file));
-            return false;
-        }
+        if (!read) throw missing_file(session, o.input_file, FileType::scene, {}, "Cannot open input file.");
         name = *path;
         text = std::move(*read);
     }
@@ -77,12 +74,11 @@ bool open_input(Session& session) {
     if (o.include_header) {
         const auto path = find_file(session, *o.include_header, FileType::include, {});
         if (!path) {
-            session.diagnostics.error({}, fmt::format("Cannot open include file {}.", *o.include_header));
-            return false;
+            throw missing_file(session, *o.include_header, FileType::include, {},
+                               fmt::format("Cannot open include file {}.", *o.include_header));
         }
         session.stream.open_file(session.tokens_of(*path), {}, true);
     }
-    return true;
 }
 
 void start(Session& session) {
@@ -222,7 +218,10 @@ void warn_at_end(Session& session) {
 bool run(Session& session, const BlockSink& sink) {
     try {
         start(session);
-        if (open_input(session)) read_all(session, sink);
+        open_input(session);
+        read_all(session, sink);
+    } catch (const SceneError& error) {
+        session.diagnostics.report(error.diagnostic());
     } catch (const IoError& error) {
         session.diagnostics.error({}, error.what());
     }
@@ -257,7 +256,7 @@ std::string dump_tokens(const LoadOptions& options, SourceMap& sources, Diagnost
     std::string out;
     try {
         start(session);
-        if (!open_input(session)) return out;
+        open_input(session);
         while (true) {
             const Produced token = session.stream.next();
             if (token.kind == Tok::end) break;
