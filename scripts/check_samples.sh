@@ -21,7 +21,8 @@ first_error() {
     awk '/ Parse Error: |^Parse Error: / && !/Possible/ && !found { found = 1; text = $0; next }
          found == 1 && /^ [^ ]/ { text = text $0; next }
          found == 1 { found = 2 }
-         END { sub(/.*Parse Error: /, "", text); sub(/ \(did you mean.*/, "", text); print text }' "$1"
+         /^Fatal error in parser: Cannot open file/ && !found { text = "Cannot open file." }
+         END { sub(/.*Parse Error: /, "", text); sub(/Cannot open (image|font) file .*/, "Cannot open file.", text); sub(/ \(did you mean.*/, "", text); print text }' "$1"
 }
 
 # check_one NAME ARGUMENTS...: run in the scene's folder

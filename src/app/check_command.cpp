@@ -40,7 +40,7 @@ private:
 }  // namespace
 
 int run_check(const Settings& settings) {
-    Console console(settings.verbose);
+    Console console(settings.verbose, settings.warning_console);
     const std::vector<Frame> frames = frames_of(settings);
     SourceMap sources;
     Diagnostics diagnostics;

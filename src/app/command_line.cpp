@@ -69,61 +69,91 @@ void apply_argument(Settings& settings, const std::string& argument) {
     for (const std::string& word : split_words(argument)) apply_word(settings, word);
 }
 
+/// The long options: what is not part of the settings, or goes through them after all other words.
+class LongOptions {
+public:
+    LongOptions(CLI::App& app, Settings& settings, bool checks) {
+        add_common(app);
+        add_rendering(app, settings);
+        app.add_flag("--strict", settings.strict,
+                     "exact file names and syntax only; otherwise trifles are warnings");
+        app.add_option("--allow-write", settings.allow_write,
+                       "a folder below which the scene may write files, too (more than once)")
+            ->allow_extra_args(false);
+        app.add_flag("--allow-commands", settings.allow_commands,
+                     "run the Pre_/Post_ commands of INI files in a shell");
+        app.add_option("--max-parse-steps", settings.max_parse_steps,
+                       "tokens after which a scene counts as endless (0: never)");
+        if (checks) app.add_flag("--deps", settings.list_files, "list the files that the scene is made of");
+    }
+
+    bool asks_version() const { return version_; }
+
+    void apply(Settings& settings) const {
+        settings.skip_unneeded = !no_skip_;
+        if (settings.stats_file == "json") settings.stats_file = "-";
+        if (size_) set_size(settings, *size_);
+        if (threads_) set_option(settings, "Work_Threads", *threads_);
+        if (quality_) set_option(settings, "Quality", *quality_);
+        if (!output_) return;
+        set_option(settings, "Output_File_Name", *output_);
+        if (const auto type = file_type_for(*output_)) settings.file_type = *type;
+    }
+
+private:
+    void add_common(CLI::App& app) {
+        app.set_help_flag("--help", "this text");
+        app.add_flag("--version", version_, "print the version");
+        app.add_option("-o,--output", output_, "picture to write; the extension decides the type");
+        app.add_option("--size", size_, "WIDTHxHEIGHT in pixels");
+        app.add_option("--threads", threads_, "threads to use (default: all)");
+        app.add_option("--quality", quality_, "0..9, as +Q");
+    }
+
+    void add_rendering(CLI::App& app, Settings& settings) {
+        const std::map<std::string, GeometryMode> modes{{"auto", GeometryMode::automatic},
+                                                        {"exact", GeometryMode::exact},
+                                                        {"tessellate", GeometryMode::tessellate}};
+        app.add_option("--geometry", settings.geometry, "auto, exact or tessellate: how shapes meet rays")
+            ->transform(CLI::CheckedTransformer(modes));
+        app.add_option("--tessellation-error", settings.tessellation_error,
+                       "largest error of a mesh, in pixels")
+            ->check(CLI::PositiveNumber);
+        const std::map<std::string, DumpStage> stages{
+            {"tokens", DumpStage::tokens}, {"blocks", DumpStage::blocks}, {"scene", DumpStage::scene}};
+        app.add_option("--dump", settings.dump, "print tokens, blocks or scene instead of rendering")
+            ->transform(CLI::CheckedTransformer(stages));
+        app.add_option("--stats", settings.stats_file,
+                       "write statistics as JSON to a file (json or -: standard error)");
+        app.add_flag("--no-skip", no_skip_, "do work that the scene does not need, too; same picture");
+        app.add_flag("--brute-force", settings.brute_force, "no kD-trees; same picture, slowly");
+    }
+
+    std::optional<std::string> output_, size_, quality_, threads_;
+    bool version_ = false;
+    bool no_skip_ = false;
+};
+
 }  // namespace
 
 CommandLine parse_command_line(const std::vector<std::string>& arguments) {
-    if (!arguments.empty() && arguments.front() == "diff") {
-        return parse_diff({arguments.begin() + 1, arguments.end()});
-    }
+    const std::string first = arguments.empty() ? "" : arguments.front();
+    if (first == "diff") return parse_diff({arguments.begin() + 1, arguments.end()});
     CommandLine line;
     Settings& settings = line.settings;
-    const bool has_command =
-        !arguments.empty() && (arguments.front() == "render" || arguments.front() == "check");
-    if (has_command && arguments.front() == "check") line.command = Command::check;
+    if (first == "check") line.command = Command::check;
     CLI::App app{"Renders POV-Ray 3.7 scenes.", "renderboy"};
     app.footer(std::string(footer));
     app.allow_extras();
-    app.set_help_flag("--help", "this text");
-
-    std::optional<std::string> output, size, quality, threads;
-    bool version = false;
-    app.add_flag("--version", version, "print the version");
-    app.add_option("-o,--output", output, "picture to write; the extension decides the type");
-    app.add_option("--size", size, "WIDTHxHEIGHT in pixels");
-    app.add_option("--threads", threads, "threads to use (default: all)");
-    app.add_option("--quality", quality, "0..9, as +Q");
-    const std::map<std::string, GeometryMode> modes{{"auto", GeometryMode::automatic},
-                                                    {"exact", GeometryMode::exact},
-                                                    {"tessellate", GeometryMode::tessellate}};
-    app.add_option("--geometry", settings.geometry, "auto, exact or tessellate: how shapes meet rays")
-        ->transform(CLI::CheckedTransformer(modes));
-    app.add_option("--tessellation-error", settings.tessellation_error, "largest error of a mesh, in pixels")
-        ->check(CLI::PositiveNumber);
-    const std::map<std::string, DumpStage> stages{
-        {"tokens", DumpStage::tokens}, {"blocks", DumpStage::blocks}, {"scene", DumpStage::scene}};
-    app.add_option("--dump", settings.dump, "print tokens, blocks or scene instead of rendering")
-        ->transform(CLI::CheckedTransformer(stages));
-    app.add_option("--stats", settings.stats_file,
-                   "write statistics as JSON to a file (json or -: standard error)");
-    app.add_option("--max-parse-steps", settings.max_parse_steps,
-                   "tokens after which a scene counts as endless (0: never)");
-    bool no_skip = false;
-    app.add_flag("--no-skip", no_skip, "do work that the scene does not need, too; same picture");
-    app.add_flag("--brute-force", settings.brute_force, "no kD-trees; same picture, slowly");
-
-    app.add_flag("--strict", settings.strict,
-                 "exact file names and syntax only; otherwise trifles are warnings");
-    app.add_option("--allow-write", settings.allow_write,
-                   "a folder below which the scene may write files, too (more than once)")
-        ->allow_extra_args(false);
-    app.add_flag("--allow-commands", settings.allow_commands,
-                 "run the Pre_/Post_ commands of INI files in a shell");
-    if (line.command == Command::check) {
-        app.add_flag("--deps", settings.list_files, "list the files that the scene is made of");
-    }
+    LongOptions own(app, settings, line.command == Command::check);
 
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
-    if (has_command) reversed.pop_back();
+    if (first == "render" || first == "check") reversed.pop_back();
+    // The reference's other spellings, which CLI11 would take apart.
+    for (std::string& word : reversed) {
+        if (word == "-version" || word == "--V") word = "--version";
+        if (word == "-help" || word == "-?") word = "--help";
+    }
     try {
         app.parse(reversed);
     } catch (const CLI::CallForHelp&) {
@@ -133,24 +163,14 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(error.what());
     }
-    if (version) {
+    if (own.asks_version()) {
         line.command = Command::version;
         line.text = version_text;
         return line;
     }
-    settings.skip_unneeded = !no_skip;
-    if (settings.stats_file == "json") settings.stats_file = "-";
-
     read_initial_ini(settings);
     for (const std::string& word : app.remaining()) apply_argument(settings, word);
-
-    if (size) set_size(settings, *size);
-    if (threads) set_option(settings, "Work_Threads", *threads);
-    if (quality) set_option(settings, "Quality", *quality);
-    if (output) {
-        set_option(settings, "Output_File_Name", *output);
-        if (const auto type = file_type_for(*output)) settings.file_type = *type;
-    }
+    own.apply(settings);
     if (settings.input_file.empty()) throw UsageError("No input file provided");
     if (settings.width < 1 || settings.height < 1 || settings.width > (1 << 28) / settings.height) {
         throw UsageError(

@@ -45,7 +45,8 @@ bool is_terminal() {
 
 }  // namespace
 
-Console::Console(bool verbose) : verbose_(verbose), terminal_(is_terminal()) {}
+Console::Console(bool verbose, bool warnings)
+    : verbose_(verbose), warnings_(warnings), terminal_(is_terminal()) {}
 
 void Console::banner(std::string_view phase) {
     started_ = last_ = std::chrono::steady_clock::now();
@@ -59,6 +60,7 @@ void Console::line(std::string_view text) {
 }
 
 void Console::diagnostic(const Diagnostic& diagnostic, const SourceMap& sources) {
+    if (!warnings_ && diagnostic.severity != Severity::error) return;
     end_progress();
     write(format(diagnostic, sources));
     if (terminal_ || diagnostic.severity == Severity::note) return;

@@ -10,10 +10,11 @@ namespace rb {
 
 /// Everything the program says goes to standard error through here. On a terminal: short lines and one
 /// progress line with the time left. Otherwise: the lines that programs which drive POV-Ray look for
-/// (docs/command-line.md).
+/// (tests/app/contract.txt).
 class Console {
 public:
-    explicit Console(bool verbose);
+    /// `verbose` shows progress.
+    Console(bool verbose, bool warnings);
 
     void banner(std::string_view phase);
     void line(std::string_view text);
@@ -27,6 +28,7 @@ public:
 
 private:
     bool verbose_;
+    bool warnings_;
     bool terminal_;
     bool progress_open_ = false;
     std::chrono::steady_clock::time_point started_;

@@ -210,6 +210,14 @@ std::vector<Option> make_options() {
              s.file_gamma = *gamma;
          }},
         {"verbose", switch_of(&Settings::verbose)},
+        {"debug_console", switch_of(&Settings::debug_console)},
+        {"render_console", switch_of(&Settings::render_console)},
+        {"statistic_console", switch_of(&Settings::statistic_console)},
+        {"warning_console", switch_of(&Settings::warning_console)},
+        {"all_console",
+         [](Settings& s, std::string_view n, std::string_view v) {
+             s.debug_console = s.render_console = s.statistic_console = s.warning_console = to_switch(n, v);
+         }},
         {"clock",
          [](Settings& s, std::string_view n, std::string_view v) {
              s.clock = to_number(n, v);
@@ -228,6 +236,7 @@ std::vector<Option> make_options() {
         {"dither_method", no_effect()},
         {"continue_trace",
          not_yet("an interrupted picture cannot be continued yet, it is rendered from the start")},
+        {"preview_file", not_yet("a live preview is not written yet")},
         {"clockless_animation", not_yet("clockless animation is not supported yet")},
         {"create_ini", text_of(&Settings::create_ini)},
         {"radiosity_from_file", not_yet("radiosity files are not read")},
@@ -279,12 +288,7 @@ constexpr std::string_view silent_options[] = {"display",
                                                "radiosity_file_name",
                                                "radiosity_vain_pretrace",
                                                "real_time_raytracing",
-                                               "all_console",
-                                               "debug_console",
                                                "fatal_console",
-                                               "render_console",
-                                               "statistic_console",
-                                               "warning_console",
                                                "append_file",
                                                "test_abort",
                                                "buffer_output",

@@ -177,7 +177,7 @@ int render_frames(const Settings& settings, const std::vector<Frame>& frames, co
 }  // namespace
 
 int run_render(const Settings& settings) {
-    Console console(settings.verbose);
+    Console console(settings.verbose, settings.warning_console);
     for (const std::string& text : settings.without_effect) console.line(fmt::format("warning: {}", text));
     const std::vector<Frame> frames = frames_of(settings);
     if (settings.dump != DumpStage::none) return dump_stage(settings, frames.front(), console);

@@ -39,7 +39,11 @@ LoadOptions load_options(const Settings& settings, const Frame& frame, Console& 
     options.may_write = [access = WriteAccess(settings)](const std::string& path) {
         return access.allows(path);
     };
-    options.message = [&console](std::string_view, std::string_view text) {
+    options.message = [&console, &settings](std::string_view stream, std::string_view text) {
+        const bool shown = stream == "render"       ? settings.render_console
+                           : stream == "statistics" ? settings.statistic_console
+                                                    : settings.debug_console;
+        if (!shown) return;
         if (text.ends_with('\n')) text.remove_suffix(1);
         console.line(text);
     };

@@ -65,6 +65,11 @@ struct Settings {
     GammaCurve file_gamma = SrgbCurve{};
 
     bool verbose = true;
+    // Streams that are shown; errors always are.
+    bool debug_console = true;
+    bool render_console = true;
+    bool statistic_console = true;
+    bool warning_console = true;
     double clock = 0;
     bool clock_given = false;
     double initial_clock = 0;

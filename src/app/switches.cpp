@@ -78,6 +78,7 @@ constexpr std::array switches{
     Switch{"R", Takes::value, "Antialias_Depth", ""},
     Switch{"SC", Takes::value, "Start_Column", ""},
     Switch{"SF", Takes::value, "Subset_Start_Frame", ""},
+    Switch{"SM", Takes::value, "Preview_File", ""},  // of the LEGO tools' own POV-Ray
     Switch{"SP", Takes::value, "Preview_Start_Size", ""},
     Switch{"SR", Takes::value, "Start_Row", ""},
     Switch{"STP", Takes::value, "Frame_Step", ""},
