@@ -34,6 +34,13 @@ struct value_is_texture {
     }
 };
 
+/// A text has no operators: a macro that follows must not be called before the text has its name.
+struct at_text_call
+    : tao::pegtl::at<sor<word_is<Keyword::chr>, word_is<Keyword::concat>, word_is<Keyword::str>,
+                         word_is<Keyword::vstr>, word_is<Keyword::substr>, word_is<Keyword::strupr>,
+                         word_is<Keyword::strlwr>, word_is<Keyword::datetime>>> {};
+struct text_value : sor<text_literal, seq<at_text_call, sor<call_one, call_many>>> {};
+
 struct color_value : seq<color> {};
 struct sum_value : seq<sum> {};
 struct block_value : seq<block> {};
@@ -45,8 +52,8 @@ struct more_layers : star<ask<value_is_texture>, at_texture, layer_block> {};
 /// transform = "transform" transform identifier
 struct transform_value : seq<word_is<Keyword::transform>, sum> {};
 
-/// rvalue = color | array | spline | function | block { texture block } | transform identifier | sum
+/// rvalue = color | array | spline | function | block { texture block } | transform identifier | text | sum
 struct rvalue : seq<open_next, sor<color_value, array, spline, function_literal,
-                                   seq<block_value, more_layers>, transform_value, sum_value>> {};
+                                   seq<block_value, more_layers>, transform_value, text_value, sum_value>> {};
 
 }  // namespace rb::grammar

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The longer checks, for before a change is called done: clang-tidy over all sources, image tests under the sanitizers, and
-# every installed sample scene rendered small (none may crash or hang). Half an hour on two cores.
+# The longer checks, for before a change is called done: clang-tidy over all sources, image tests under the sanitizers, every
+# installed sample scene and include file read (scripts/check_samples.sh) and every scene rendered small (none may crash or
+# hang), and the contract with callers run against POV-Ray itself, where it is installed. Most of an hour on two cores.
 # usage: scripts/slow_checks.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -11,12 +12,22 @@ cmake --preset asan > /dev/null
 cmake --build --preset asan --target image_tests renderboy
 ctest --preset asan -L images
 
+failed=0
+echo "== every sample scene and include file is read"
+scripts/check_samples.sh build/asan/renderboy || failed=1
+
+if command -v povray > /dev/null; then
+    echo "== the contract with callers holds for POV-Ray"
+    cmake --build --preset asan --target app_tests
+    RB_CONTRACT_PROGRAM=$(command -v povray) build/asan/app_tests --gtest_filter='Rows/*' ||
+        failed=1
+fi
+
 echo "== sample scenes"
 examples=${EXAMPLES:-/usr/share/doc/povray/examples}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 renderboy=$PWD/build/asan/renderboy
-failed=0
 while read -r scene; do
     code=0
     (cd "$(dirname "$scene")" && timeout 300 "$renderboy" "+I$(basename "$scene")" "+O$work/out.png" +W80 +H60 -A -V \

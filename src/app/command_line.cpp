@@ -14,12 +14,14 @@ namespace rb {
 namespace {
 
 constexpr std::string_view version_text =
-    "RenderBoy 0.1.0 (reads POV-Ray 3.7 scenes; POV-Ray 3.7 compatible command line)\n";
+    "RenderBoy 0.1.0\nReads the scenes of POV-Ray 3.7 and takes its command line "
+    "(as POV-Ray 3.7.0.10.unofficial does).\n";
 
 constexpr std::string_view footer =
     "POV-Ray's own words are taken too, in any mix: +Iscene.pov +Oout.png +W640 +H480 +A0.3 +AM2 +R3 +J +Q9 "
     "+FN16 +UA\n"
     "+L<dir> +WT<n> +SC +EC +SR +ER -D -P -V, Name=value options, file.ini[section].\n\n"
+    "renderboy check SCENE reads a scene and lists what does not work yet (--deps: the files it uses).\n"
     "renderboy diff A B compares two pictures; see `renderboy diff --help`.\n"
     "Exit codes: 0 done, 1 error (or a limit of diff passed), 2 stopped by a signal.";
 
@@ -67,46 +69,91 @@ void apply_argument(Settings& settings, const std::string& argument) {
     for (const std::string& word : split_words(argument)) apply_word(settings, word);
 }
 
+/// The long options: what is not part of the settings, or goes through them after all other words.
+class LongOptions {
+public:
+    LongOptions(CLI::App& app, Settings& settings, bool checks) {
+        add_common(app);
+        add_rendering(app, settings);
+        app.add_flag("--strict", settings.strict,
+                     "exact file names and syntax only; otherwise trifles are warnings");
+        app.add_option("--allow-write", settings.allow_write,
+                       "a folder below which the scene may write files, too (more than once)")
+            ->allow_extra_args(false);
+        app.add_flag("--allow-commands", settings.allow_commands,
+                     "run the Pre_/Post_ commands of INI files in a shell");
+        app.add_option("--max-parse-steps", settings.max_parse_steps,
+                       "tokens after which a scene counts as endless (0: never)");
+        if (checks) app.add_flag("--deps", settings.list_files, "list the files that the scene is made of");
+    }
+
+    bool asks_version() const { return version_; }
+
+    void apply(Settings& settings) const {
+        settings.skip_unneeded = !no_skip_;
+        if (settings.stats_file == "json") settings.stats_file = "-";
+        if (size_) set_size(settings, *size_);
+        if (threads_) set_option(settings, "Work_Threads", *threads_);
+        if (quality_) set_option(settings, "Quality", *quality_);
+        if (!output_) return;
+        set_option(settings, "Output_File_Name", *output_);
+        if (const auto type = file_type_for(*output_)) settings.file_type = *type;
+    }
+
+private:
+    void add_common(CLI::App& app) {
+        app.set_help_flag("--help", "this text");
+        app.add_flag("--version", version_, "print the version");
+        app.add_option("-o,--output", output_, "picture to write; the extension decides the type");
+        app.add_option("--size", size_, "WIDTHxHEIGHT in pixels");
+        app.add_option("--threads", threads_, "threads to use (default: all)");
+        app.add_option("--quality", quality_, "0..9, as +Q");
+    }
+
+    void add_rendering(CLI::App& app, Settings& settings) {
+        const std::map<std::string, GeometryMode> modes{{"auto", GeometryMode::automatic},
+                                                        {"exact", GeometryMode::exact},
+                                                        {"tessellate", GeometryMode::tessellate}};
+        app.add_option("--geometry", settings.geometry, "auto, exact or tessellate: how shapes meet rays")
+            ->transform(CLI::CheckedTransformer(modes));
+        app.add_option("--tessellation-error", settings.tessellation_error,
+                       "largest error of a mesh, in pixels")
+            ->check(CLI::PositiveNumber);
+        const std::map<std::string, DumpStage> stages{
+            {"tokens", DumpStage::tokens}, {"blocks", DumpStage::blocks}, {"scene", DumpStage::scene}};
+        app.add_option("--dump", settings.dump, "print tokens, blocks or scene instead of rendering")
+            ->transform(CLI::CheckedTransformer(stages));
+        app.add_option("--stats", settings.stats_file,
+                       "write statistics as JSON to a file (json or -: standard error)");
+        app.add_flag("--no-skip", no_skip_, "do work that the scene does not need, too; same picture");
+        app.add_flag("--brute-force", settings.brute_force, "no kD-trees; same picture, slowly");
+    }
+
+    std::optional<std::string> output_, size_, quality_, threads_;
+    bool version_ = false;
+    bool no_skip_ = false;
+};
+
 }  // namespace
 
 CommandLine parse_command_line(const std::vector<std::string>& arguments) {
-    if (!arguments.empty() && arguments.front() == "diff") {
-        return parse_diff({arguments.begin() + 1, arguments.end()});
-    }
+    const std::string first = arguments.empty() ? "" : arguments.front();
+    if (first == "diff") return parse_diff({arguments.begin() + 1, arguments.end()});
     CommandLine line;
     Settings& settings = line.settings;
+    if (first == "check") line.command = Command::check;
     CLI::App app{"Renders POV-Ray 3.7 scenes.", "renderboy"};
     app.footer(std::string(footer));
     app.allow_extras();
-    app.set_help_flag("--help", "this text");
-
-    std::optional<std::string> output, size, quality, threads;
-    bool version = false;
-    app.add_flag("--version", version, "print the version");
-    app.add_option("-o,--output", output, "picture to write; the extension decides the type");
-    app.add_option("--size", size, "WIDTHxHEIGHT in pixels");
-    app.add_option("--threads", threads, "threads to use (default: all)");
-    app.add_option("--quality", quality, "0..9, as +Q");
-    const std::map<std::string, GeometryMode> modes{{"auto", GeometryMode::automatic},
-                                                    {"exact", GeometryMode::exact},
-                                                    {"tessellate", GeometryMode::tessellate}};
-    app.add_option("--geometry", settings.geometry, "auto, exact or tessellate: how shapes meet rays")
-        ->transform(CLI::CheckedTransformer(modes));
-    app.add_option("--tessellation-error", settings.tessellation_error, "largest error of a mesh, in pixels")
-        ->check(CLI::PositiveNumber);
-    const std::map<std::string, DumpStage> stages{
-        {"tokens", DumpStage::tokens}, {"blocks", DumpStage::blocks}, {"scene", DumpStage::scene}};
-    app.add_option("--dump", settings.dump, "print tokens, blocks or scene instead of rendering")
-        ->transform(CLI::CheckedTransformer(stages));
-    app.add_option("--stats", settings.stats_file,
-                   "write statistics as JSON to a file (json or -: standard error)");
-    app.add_option("--max-parse-steps", settings.max_parse_steps,
-                   "tokens after which a scene counts as endless (0: never)");
-    bool no_skip = false;
-    app.add_flag("--no-skip", no_skip, "do work that the scene does not need, too; same picture");
-    app.add_flag("--brute-force", settings.brute_force, "no kD-trees; same picture, slowly");
+    LongOptions own(app, settings, line.command == Command::check);
 
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    if (first == "render" || first == "check") reversed.pop_back();
+    // The reference's other spellings, which CLI11 would take apart.
+    for (std::string& word : reversed) {
+        if (word == "-version" || word == "--V") word = "--version";
+        if (word == "-help" || word == "-?") word = "--help";
+    }
     try {
         app.parse(reversed);
     } catch (const CLI::CallForHelp&) {
@@ -116,26 +163,14 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(error.what());
     }
-    if (version) {
+    if (own.asks_version()) {
         line.command = Command::version;
         line.text = version_text;
         return line;
     }
-    settings.skip_unneeded = !no_skip;
-    if (settings.stats_file == "json") settings.stats_file = "-";
-
     read_initial_ini(settings);
-    std::vector<std::string> words = app.remaining();
-    if (!words.empty() && words.front() == "render") words.erase(words.begin());
-    for (const std::string& word : words) apply_argument(settings, word);
-
-    if (size) set_size(settings, *size);
-    if (threads) set_option(settings, "Work_Threads", *threads);
-    if (quality) set_option(settings, "Quality", *quality);
-    if (output) {
-        settings.output_file = *output;
-        if (const auto type = file_type_for(*output)) settings.file_type = *type;
-    }
+    for (const std::string& word : app.remaining()) apply_argument(settings, word);
+    own.apply(settings);
     if (settings.input_file.empty()) throw UsageError("No input file provided");
     if (settings.width < 1 || settings.height < 1 || settings.width > (1 << 28) / settings.height) {
         throw UsageError(

@@ -6,7 +6,7 @@
 
 namespace rb {
 
-enum class Command { render, diff, help, version };
+enum class Command { render, check, diff, help, version };
 
 /// `renderboy diff a.png b.png`: pictures and limits; a limit that is passed makes the exit code 1.
 struct DiffSettings {

@@ -22,6 +22,22 @@ std::string duration_text(double seconds) {
     return fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);
 }
 
+/// Broken at blanks into lines of at most 80 characters; all but the first begin with a blank. Problem
+/// matchers of editors rely on it.
+std::string wrapped(std::string_view text) {
+    constexpr size_t width = 80;
+    std::string out;
+    while (out.size() + text.size() > 0) {
+        const size_t room = out.empty() ? width : width - 1;
+        const size_t blank = text.size() > room ? text.rfind(' ', room) : std::string_view::npos;
+        if (!out.empty()) out += "\n ";
+        if (blank == std::string_view::npos || blank == 0) return out += text;
+        out += text.substr(0, blank);
+        text.remove_prefix(blank + 1);
+    }
+    return out;
+}
+
 bool is_terminal() {
     const char* term = std::getenv("TERM");
     return isatty(STDERR_FILENO) == 1 && term && std::string_view(term) != "dumb" && !std::getenv("CI");
@@ -29,7 +45,8 @@ bool is_terminal() {
 
 }  // namespace
 
-Console::Console(bool verbose) : verbose_(verbose), terminal_(is_terminal()) {}
+Console::Console(bool verbose, bool warnings)
+    : verbose_(verbose), warnings_(warnings), terminal_(is_terminal()) {}
 
 void Console::banner(std::string_view phase) {
     started_ = last_ = std::chrono::steady_clock::now();
@@ -43,17 +60,24 @@ void Console::line(std::string_view text) {
 }
 
 void Console::diagnostic(const Diagnostic& diagnostic, const SourceMap& sources) {
+    if (!warnings_ && diagnostic.severity != Severity::error) return;
     end_progress();
     write(format(diagnostic, sources));
     if (terminal_ || diagnostic.severity == Severity::note) return;
-    const std::string_view kind = diagnostic.severity == Severity::error ? "Parse Error" : "Parse Warning";
+    std::string_view kind = "Parse Warning";
+    if (diagnostic.severity == Severity::possible_error) kind = "Possible Parse Error";
+    if (diagnostic.severity == Severity::error) kind = "Parse Error";
     if (diagnostic.where.known()) {
         const LineColumn place = sources.position(diagnostic.where.file, diagnostic.where.begin);
-        line(fmt::format("File '{}' line {}: {}: {}", sources.name(diagnostic.where.file), place.line, kind,
-                         diagnostic.message));
+        line(wrapped(fmt::format("File '{}' line {}: {}: {}", sources.name(diagnostic.where.file), place.line,
+                                 kind, diagnostic.message)));
     } else {
-        line(fmt::format("{}: {}", kind, diagnostic.message));
+        line(wrapped(fmt::format("{}: {}", kind, diagnostic.message)));
     }
+}
+
+void Console::report(const Diagnostics& diagnostics, const SourceMap& sources, size_t first) {
+    for (size_t i = first; i < diagnostics.all().size(); ++i) diagnostic(diagnostics.all()[i], sources);
 }
 
 void Console::progress(size_t done, size_t total) {

@@ -10,21 +10,25 @@ namespace rb {
 
 /// Everything the program says goes to standard error through here. On a terminal: short lines and one
 /// progress line with the time left. Otherwise: the lines that programs which drive POV-Ray look for
-/// (docs/command-line.md).
+/// (tests/app/contract.txt).
 class Console {
 public:
-    explicit Console(bool verbose);
+    /// `verbose` shows progress.
+    Console(bool verbose, bool warnings);
 
     void banner(std::string_view phase);
     void line(std::string_view text);
     /// One diagnostic, compiler style; an error is followed by the reference's own one-line form off a
     /// terminal.
     void diagnostic(const Diagnostic& diagnostic, const SourceMap& sources);
+    /// All diagnostics from number `first` on.
+    void report(const Diagnostics& diagnostics, const SourceMap& sources, size_t first = 0);
     void progress(size_t done, size_t total);
     void end_progress();
 
 private:
     bool verbose_;
+    bool warnings_;
     bool terminal_;
     bool progress_open_ = false;
     std::chrono::steady_clock::time_point started_;

@@ -19,7 +19,7 @@ bool ProbeOracle::has_inside(const ObjectPtr& object) { return ObjectProbe::has_
 
 PatternPtr ProbeOracle::object_pattern(const ObjectPtr& object) {
     // The pattern is asked from many threads: its probe is prepared here, and only read afterwards.
-    auto probe = std::make_shared<ObjectProbe>();
+    auto probe = std::make_shared<ObjectProbe>(diagnostics_);
     probe->inside(object, Vec3{0.0});
     return rb::object_pattern([probe, object](const Vec3& p) { return probe->inside(object, p); });
 }

@@ -95,9 +95,8 @@ void declare(Settings& s, std::string_view value) {
         s.declares.emplace_back(name, std::string(text.substr(1, text.size() - 2)));
         return;
     }
-    // As C's atof does: what is no number counts as 0. The value is a float32 in the reference.
-    const double number = std::strtod(std::string(text).c_str(), nullptr);
-    s.declares.emplace_back(name, static_cast<double>(static_cast<float>(number)));
+    // As C's atof does: what is no number counts as 0.
+    s.declares.emplace_back(name, std::strtod(std::string(text).c_str(), nullptr));
 }
 
 using Setter = std::function<void(Settings&, std::string_view name, std::string_view value)>;
@@ -126,6 +125,16 @@ Setter text_of(std::string Settings::*field) {
 Setter no_effect() {
     return [](Settings&, std::string_view, std::string_view) {};
 }
+Setter command_of(ShellMoment moment) {
+    return [moment](Settings& s, std::string_view, std::string_view v) {
+        s.commands[static_cast<size_t>(moment)].line = v;
+    };
+}
+Setter action_of(ShellMoment moment) {
+    return [moment](Settings& s, std::string_view, std::string_view v) {
+        s.commands[static_cast<size_t>(moment)].action = v;
+    };
+}
 /// Something that would change the result and does not work yet.
 Setter not_yet(std::string_view what) {
     return [what](Settings& s, std::string_view n, std::string_view v) {
@@ -143,7 +152,10 @@ struct Option {
 std::vector<Option> make_options() {
     return {
         {"input_file_name", text_of(&Settings::input_file)},
-        {"include_header", [](Settings& s, std::string_view, std::string_view v) { s.include_header = v; }},
+        {"include_header",
+         [](Settings& s, std::string_view, std::string_view v) {
+             s.include_header = v.empty() ? std::nullopt : std::optional<std::string>(v);
+         }},
         {"library_path",
          [](Settings& s, std::string_view, std::string_view v) { s.library_paths.emplace_back(v); }},
         {"declare", [](Settings& s, std::string_view, std::string_view v) { declare(s, v); }},
@@ -198,6 +210,14 @@ std::vector<Option> make_options() {
              s.file_gamma = *gamma;
          }},
         {"verbose", switch_of(&Settings::verbose)},
+        {"debug_console", switch_of(&Settings::debug_console)},
+        {"render_console", switch_of(&Settings::render_console)},
+        {"statistic_console", switch_of(&Settings::statistic_console)},
+        {"warning_console", switch_of(&Settings::warning_console)},
+        {"all_console",
+         [](Settings& s, std::string_view n, std::string_view v) {
+             s.debug_console = s.render_console = s.statistic_console = s.warning_console = to_switch(n, v);
+         }},
         {"clock",
          [](Settings& s, std::string_view n, std::string_view v) {
              s.clock = to_number(n, v);
@@ -216,18 +236,38 @@ std::vector<Option> make_options() {
         {"dither_method", no_effect()},
         {"continue_trace",
          not_yet("an interrupted picture cannot be continued yet, it is rendered from the start")},
+        {"preview_file", not_yet("a live preview is not written yet")},
         {"clockless_animation", not_yet("clockless animation is not supported yet")},
-        {"create_ini", not_yet("writing an INI file is not supported yet")},
+        {"create_ini", text_of(&Settings::create_ini)},
         {"radiosity_from_file", not_yet("radiosity files are not read")},
         {"radiosity_to_file", not_yet("radiosity files are not written")},
-        {"pre_scene_command", not_yet("commands are not run")},
-        {"post_scene_command", not_yet("commands are not run")},
-        {"pre_frame_command", not_yet("commands are not run")},
-        {"post_frame_command", not_yet("commands are not run")},
-        {"user_abort_command", not_yet("commands are not run")},
-        {"fatal_error_command", not_yet("commands are not run")},
+        {"pre_scene_command", command_of(ShellMoment::pre_scene)},
+        {"pre_frame_command", command_of(ShellMoment::pre_frame)},
+        {"post_frame_command", command_of(ShellMoment::post_frame)},
+        {"post_scene_command", command_of(ShellMoment::post_scene)},
+        {"user_abort_command", command_of(ShellMoment::user_abort)},
+        {"fatal_error_command", command_of(ShellMoment::fatal_error)},
+        {"pre_scene_return", action_of(ShellMoment::pre_scene)},
+        {"pre_frame_return", action_of(ShellMoment::pre_frame)},
+        {"post_frame_return", action_of(ShellMoment::post_frame)},
+        {"post_scene_return", action_of(ShellMoment::post_scene)},
+        {"user_abort_return", action_of(ShellMoment::user_abort)},
+        {"fatal_error_return", action_of(ShellMoment::fatal_error)},
+        {"all_file", not_yet("messages are not written to files")},
+        {"debug_file", not_yet("messages are not written to files")},
+        {"fatal_file", not_yet("messages are not written to files")},
+        {"render_file", not_yet("messages are not written to files")},
+        {"statistic_file", not_yet("messages are not written to files")},
+        {"warning_file", not_yet("messages are not written to files")},
     };
 }
+
+/// The same, but what stands behind the name must be a number.
+constexpr std::string_view silent_numbers[] = {
+    "bounding_method",    "bounding_threshold",      "bsp_maxdepth",       "bsp_isectcost",
+    "bsp_baseaccesscost", "bsp_childaccesscost",     "bsp_misschance",     "render_block_step",
+    "render_pattern",     "max_image_buffer_memory", "preview_start_size", "preview_end_size",
+    "warning_level",      "test_abort_count",        "buffer_size"};
 
 /// Names that callers send and that change nothing here: preview, bounding and console options of the
 /// reference.
@@ -239,66 +279,39 @@ constexpr std::string_view silent_options[] = {"display",
                                                "field_render",
                                                "odd_field",
                                                "bounding",
-                                               "bounding_method",
-                                               "bounding_threshold",
-                                               "bsp_maxdepth",
-                                               "bsp_isectcost",
-                                               "bsp_baseaccesscost",
-                                               "bsp_childaccesscost",
-                                               "bsp_misschance",
                                                "light_buffer",
                                                "vista_buffer",
                                                "draw_vistas",
                                                "remove_bounds",
                                                "split_unions",
-                                               "render_block_step",
-                                               "render_pattern",
-                                               "max_image_buffer_memory",
                                                "high_reproducibility",
                                                "radiosity_file_name",
                                                "radiosity_vain_pretrace",
                                                "real_time_raytracing",
-                                               "preview_start_size",
-                                               "preview_end_size",
-                                               "warning_level",
-                                               "all_console",
-                                               "debug_console",
                                                "fatal_console",
-                                               "render_console",
-                                               "statistic_console",
-                                               "warning_console",
-                                               "all_file",
-                                               "debug_file",
-                                               "fatal_file",
-                                               "render_file",
-                                               "statistic_file",
-                                               "warning_file",
                                                "append_file",
                                                "test_abort",
-                                               "test_abort_count",
                                                "buffer_output",
-                                               "buffer_size",
                                                "create_histogram",
                                                "histogram_type",
                                                "histogram_name",
-                                               "histogram_grid_size",
-                                               "pre_scene_return",
-                                               "post_scene_return",
-                                               "pre_frame_return",
-                                               "post_frame_return",
-                                               "user_abort_return",
-                                               "fatal_error_return"};
+                                               "histogram_grid_size"};
 
 }  // namespace
 
 void set_option(Settings& settings, std::string_view name, std::string_view value) {
     static const std::vector<Option> options = make_options();
     const std::string key = lower(name);
+    if (key != "include_ini") settings.given.emplace_back(key, value);
     for (const Option& option : options) {
         if (option.name == key) {
             option.set(settings, name, value);
             return;
         }
+    }
+    if (std::ranges::find(silent_numbers, key) != std::end(silent_numbers)) {
+        to_number(name, value);
+        return;
     }
     if (std::ranges::find(silent_options, key) != std::end(silent_options)) return;
     throw UsageError(fmt::format("unknown option '{}'", name));

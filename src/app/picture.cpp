@@ -23,31 +23,32 @@ Pixels picture_of(const Film& film, const std::optional<GammaCurve>& assumed_gam
     const OutputEncoding encoding(assumed_gamma, settings.file_gamma);
     const bool linear = is_linear(settings.file_type);
     std::optional<CodeTable> codes;
-    if (!linear && settings.bits_per_color == 8 && !encoding.passes_unchanged()) codes.emplace(encoding);
+    if (!linear && output_bits(settings) == 8 && !encoding.passes_unchanged()) codes.emplace(encoding);
     const auto encode = [&](float v) {
         if (codes) return static_cast<float>(codes->code(v)) / 255.0f;
         return linear ? encoding.linear(v) : encoding.encode(v);
     };
     const bool grayscale =
         settings.grayscale && (settings.file_type == FileType::png || settings.file_type == FileType::ppm);
-    const bool has_alpha = settings.alpha && !grayscale && settings.file_type != FileType::jpeg &&
-                           settings.file_type != FileType::ppm && settings.file_type != FileType::hdr;
-    Pixels out(film.width, film.height, grayscale ? 1 : has_alpha ? 4 : 3);
+    const bool has_alpha = settings.alpha && !(grayscale && settings.file_type == FileType::ppm) &&
+                           settings.file_type != FileType::jpeg && settings.file_type != FileType::ppm &&
+                           settings.file_type != FileType::hdr;
+    Pixels out(film.width, film.height, (grayscale ? 1 : 3) + (has_alpha ? 1 : 0));
     for (int y = 0; y < film.height; ++y) {
         for (int x = 0; x < film.width; ++x) {
             const Radiance& pixel = film.at(x, y);
             float* to = out.at(x, y);
-            if (grayscale) {
-                to[0] = encode(grey(pixel.rgb));
-                continue;
-            }
             // OpenEXR keeps premultiplied colours.
             const bool divide = has_alpha && !linear;
             const std::array<float, 4> value =
                 divide ? straight(pixel)
                        : std::array<float, 4>{pixel.rgb.x, pixel.rgb.y, pixel.rgb.z, 1.0f - pixel.transmit};
-            for (size_t c = 0; c < 3; ++c) to[c] = encode(value[c]);
-            if (has_alpha) to[3] = value[3];
+            if (grayscale) {
+                to[0] = encode(grey({value[0], value[1], value[2]}));
+            } else {
+                for (size_t c = 0; c < 3; ++c) to[c] = encode(value[c]);
+            }
+            if (has_alpha) to[out.channels - 1] = value[3];
         }
     }
     return out;

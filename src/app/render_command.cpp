@@ -1,8 +1,11 @@
 #include "app/animation.h"
 #include "app/commands.h"
 #include "app/console.h"
+#include "app/create_ini.h"
 #include "app/geometry_oracle.h"
 #include "app/picture.h"
+#include "app/scene_input.h"
+#include "app/shell_commands.h"
 #include "app/statistics.h"
 #include "base/parallel.h"
 #include "language/load.h"
@@ -11,9 +14,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
-#include <iostream>
-#include <iterator>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -22,50 +23,21 @@ namespace rb {
 namespace {
 
 std::atomic<bool> stop_requested{false};
+std::atomic<bool> is_rendering{false};
 
 /// SIGINT and SIGTERM end the render after the running blocks; what is finished is written. A second signal
-/// kills.
+/// kills. Before that there is nothing to keep.
 void on_signal(int signal) {
     stop_requested.store(true);
     std::signal(signal, SIG_DFL);
+    if (is_rendering.load()) return;
+    constexpr std::string_view last_words = "\nRender cancelled by user\n\n";
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, last_words.data(), last_words.size());
+    _exit(exit_stopped);
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-LoadOptions load_options(const Settings& settings, const Frame& frame, Console& console,
-                         GeometryOracle& oracle) {
-    LoadOptions options;
-    options.input_file = settings.input_file;
-    if (settings.input_file == "-") {
-        options.input_text = std::string(std::istreambuf_iterator<char>(std::cin), {});
-        options.input_file = "stdin";
-    }
-    options.library_paths = settings.library_paths;
-    // The reference does not look beside the scene file; here it is the last place.
-    const auto folder = std::filesystem::path(settings.input_file).parent_path();
-    if (!folder.empty()) options.library_paths.push_back(folder.string());
-    options.declares = settings.declares;
-    options.include_header = settings.include_header;
-    options.image_width = settings.width;
-    options.image_height = settings.height;
-    options.clock = frame.clock;
-    options.clock_on = settings.clock_given || frame.digits > 0;
-    options.frame_number = frame.number;
-    options.initial_frame = frame.initial_frame;
-    options.final_frame = frame.final_frame;
-    options.initial_clock = frame.initial_clock;
-    options.final_clock = frame.final_clock;
-    options.clock_delta = frame.clock_delta;
-    options.version = settings.version;
-    options.oracle = &oracle;
-    options.max_tokens = settings.max_parse_steps;
-    options.message = [&console](std::string_view, std::string_view text) {
-        if (text.ends_with('\n')) text.remove_suffix(1);
-        console.line(text);
-    };
-    return options;
 }
 
 RenderOptions render_options(const Settings& settings) {
@@ -95,14 +67,11 @@ CompileOptions compile_options(const Settings& settings) {
     return options;
 }
 
-void report(Console& console, const Diagnostics& diagnostics, const SourceMap& sources, size_t& reported) {
-    for (; reported < diagnostics.all().size(); ++reported)
-        console.diagnostic(diagnostics.all()[reported], sources);
-}
-
-int dump_stage(const Settings& settings, const LoadOptions& options) {
+int dump_stage(const Settings& settings, const Frame& frame, Console& console) {
     SourceMap sources;
     Diagnostics diagnostics;
+    ProbeOracle oracle(diagnostics);
+    const LoadOptions options = load_options(settings, frame, console, oracle);
     std::string text;
     bool loaded = true;
     switch (settings.dump) {
@@ -118,9 +87,7 @@ int dump_stage(const Settings& settings, const LoadOptions& options) {
             if (loaded) text = dump(scene);
         }
     }
-    Console console(false);
-    size_t reported = 0;
-    report(console, diagnostics, sources, reported);
+    console.report(diagnostics, sources);
     std::fwrite(text.data(), 1, text.size(), stdout);
     return loaded && diagnostics.error_count() == 0 ? exit_done : exit_error;
 }
@@ -128,9 +95,8 @@ int dump_stage(const Settings& settings, const LoadOptions& options) {
 /// The scene of one picture; false if it has errors, which have been shown.
 bool load(const LoadOptions& options, Console& console, SourceMap& sources, Diagnostics& diagnostics,
           Scene& scene) {
-    size_t reported = 0;
     const bool loaded = load_scene(options, sources, diagnostics, scene);
-    report(console, diagnostics, sources, reported);
+    console.report(diagnostics, sources);
     if (!loaded) console.line("Fatal error in parser: Cannot parse input.");
     return loaded;
 }
@@ -140,7 +106,7 @@ void write_picture(const RenderResult& result, const Scene& scene, const Setting
     const auto& assumed = scene.settings.assumed_gamma;
     OutputFormat format;
     format.type = settings.file_type;
-    format.bits = settings.bits_per_color;
+    format.bits = output_bits(settings);
     format.compression = settings.compression;
     if (assumed)
         format.curve = is_linear(settings.file_type) ? Curve(GammaCurve{1.0}) : Curve(settings.file_gamma);
@@ -151,31 +117,27 @@ void write_picture(const RenderResult& result, const Scene& scene, const Setting
 /// Reads, compiles, renders and writes one picture.
 int render_frame(const Settings& settings, const Frame& frame, Console& console) {
     const RenderOptions options = render_options(settings);
-    ProbeOracle oracle;
-    const LoadOptions loading = load_options(settings, frame, console, oracle);
-
     Statistics statistics;
     auto start = std::chrono::steady_clock::now();
     console.banner("Parsing");
     SourceMap sources;
     Diagnostics diagnostics;
+    ProbeOracle oracle(diagnostics);
     Scene scene;
-    if (!load(loading, console, sources, diagnostics, scene)) {
-        console.line("Render failed\n");
+    if (!load(load_options(settings, frame, console, oracle), console, sources, diagnostics, scene)) {
         return exit_error;
     }
     statistics.parse_seconds = seconds_since(start);
 
     start = std::chrono::steady_clock::now();
-    size_t reported = diagnostics.all().size();
+    const size_t reported = diagnostics.all().size();
     const World world = compile(scene, compile_options(settings), diagnostics);
-    report(console, diagnostics, sources, reported);
+    console.report(diagnostics, sources, reported);
     statistics.compile_seconds = seconds_since(start);
 
     start = std::chrono::steady_clock::now();
     console.banner("Rendering");
-    std::signal(SIGINT, on_signal);
-    std::signal(SIGTERM, on_signal);
+    is_rendering.store(true);
     const RenderResult result = render(world, options, stop_requested,
                                        [&](size_t done, size_t total) { console.progress(done, total); });
     console.end_progress();
@@ -183,32 +145,61 @@ int render_frame(const Settings& settings, const Frame& frame, Console& console)
 
     start = std::chrono::steady_clock::now();
     if (settings.output_to_file) write_picture(result, scene, settings, frame);
+    is_rendering.store(false);
     statistics.write_seconds = seconds_since(start);
     if (settings.stats_file) write_statistics(statistics, world, result, settings);
     return result.complete ? exit_done : exit_stopped;
 }
 
+int code_after(AfterCommand after) {
+    if (after == AfterCommand::abort) return exit_stopped;
+    return after == AfterCommand::fail ? exit_error : exit_done;
+}
+
+/// All frames, with the commands before and after them; an exit code.
+int render_frames(const Settings& settings, const std::vector<Frame>& frames, const ShellCommands& commands,
+                  Console& console) {
+    AfterCommand after = commands.run(ShellMoment::pre_scene, frames.front());
+    for (const Frame& frame : frames) {
+        if (after != AfterCommand::go_on) break;
+        after = commands.run(ShellMoment::pre_frame, frame);
+        if (after > AfterCommand::skip) break;
+        if (after == AfterCommand::go_on) {
+            const int code = render_frame(settings, frame, console);
+            if (code != exit_done) return code;
+        }
+        after = commands.run(ShellMoment::post_frame, frame);
+    }
+    if (after <= AfterCommand::skip) after = commands.run(ShellMoment::post_scene, frames.back());
+    return code_after(after);
+}
+
 }  // namespace
 
 int run_render(const Settings& settings) {
-    Console console(settings.verbose);
+    Console console(settings.verbose, settings.warning_console);
     for (const std::string& text : settings.without_effect) console.line(fmt::format("warning: {}", text));
     const std::vector<Frame> frames = frames_of(settings);
-    if (settings.dump != DumpStage::none) {
-        ProbeOracle oracle;
-        return dump_stage(settings, load_options(settings, frames.front(), console, oracle));
-    }
+    if (settings.dump != DumpStage::none) return dump_stage(settings, frames.front(), console);
     stop_requested.store(false);
-    for (const Frame& frame : frames) {
-        const int code = render_frame(settings, frame, console);
-        if (code == exit_stopped) console.line("Render cancelled by user\n");
-        if (code != exit_done) return code;
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+    create_ini(settings);
+    const ShellCommands commands(settings, console);
+    const int code = render_frames(settings, frames, commands, console);
+    if (code == exit_stopped) {
+        console.line("Render cancelled by user\n");
+        commands.run(ShellMoment::user_abort, frames.front());
+    } else if (code == exit_error) {
+        console.line("Render failed\n");
+        commands.run(ShellMoment::fatal_error, frames.front());
+    } else {
+        console.line("POV-Ray finished\n");
     }
-    console.line("POV-Ray finished\n");
-    return exit_done;
+    return code;
 }
 
-int run(const std::vector<std::string>& arguments) {
+int run(const std::vector<std::string>& arguments, std::string_view program) {
     const auto say = [](std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); };
     try {
         const CommandLine line = parse_command_line(arguments);
@@ -219,11 +210,13 @@ int run(const std::vector<std::string>& arguments) {
                 return exit_done;
             case Command::diff:
                 return run_diff(line.diff);
+            case Command::check:
+                return run_check(line.settings);
             case Command::render:
                 return run_render(line.settings);
         }
     } catch (const UsageError& error) {
-        std::string words = "renderboy";
+        std::string words(program);
         for (const std::string& argument : arguments) words += " " + argument;
         say(fmt::format("error: {}\nProblem with option setting\n{}\nFailed to parse command-line option\n",
                         error.what(), words));

@@ -41,6 +41,10 @@ PixelBlock region_of(const Settings& settings) {
     return region;
 }
 
+int output_bits(const Settings& settings) {
+    return settings.grayscale && settings.file_type == FileType::png ? 16 : settings.bits_per_color;
+}
+
 std::string output_path(const Settings& settings, const std::string& number) {
     namespace fs = std::filesystem;
     const std::string ending = number + std::string(extension_of(settings.file_type));

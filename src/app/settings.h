@@ -3,6 +3,7 @@
 #include "image/file.h"
 #include "render/render.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,6 +22,13 @@ public:
 private:
     std::string message_;
 };
+
+/// A command that an INI file asks to be run, and the letter that says what a failure of it does.
+struct ShellCommand {
+    std::string line;
+    std::string action;
+};
+enum class ShellMoment { pre_scene, pre_frame, post_frame, post_scene, user_abort, fatal_error };
 
 enum class DumpStage { none, tokens, blocks, scene };
 
@@ -57,6 +65,11 @@ struct Settings {
     GammaCurve file_gamma = SrgbCurve{};
 
     bool verbose = true;
+    // Streams that are shown; errors always are.
+    bool debug_console = true;
+    bool render_console = true;
+    bool statistic_console = true;
+    bool warning_console = true;
     double clock = 0;
     bool clock_given = false;
     double initial_clock = 0;
@@ -75,8 +88,19 @@ struct Settings {
     bool brute_force = false;
     /// Tokens that a scene may take before it counts as a loop without end; minutes of parsing.
     uint64_t max_parse_steps = 10'000'000'000;
+    bool strict = false;                   ///< no leniency with files and trifles of the language
+    std::vector<std::string> allow_write;  ///< more folders that a scene may write to
+    bool allow_commands = false;           ///< run the shell-out commands of INI files
+    std::array<ShellCommand, 6> commands;  ///< by ShellMoment
+    bool list_files = false;               ///< `check --deps`
     DumpStage dump = DumpStage::none;
     std::optional<std::string> stats_file;  ///< "-" writes to standard error
+
+    std::vector<std::string> ini_files;  ///< as they were read
+
+    std::string create_ini;
+    /// Every option in the order given, by lower case name.
+    std::vector<std::pair<std::string, std::string>> given;
 
     /// Options that were understood and have no effect, with the reason, for one message.
     std::vector<std::string> without_effect;
@@ -85,6 +109,9 @@ struct Settings {
 /// The pixels to render: `width` x `height` cut by the region sides. Throws UsageError where the reference
 /// does.
 PixelBlock region_of(const Settings& settings);
+
+/// Bits of one channel in the file: grey PNG has 16 whatever was asked for.
+int output_bits(const Settings& settings);
 
 /// Where the picture goes: +O rules of language spec 23.7; "-" is standard output. `number` stands before the
 /// extension.

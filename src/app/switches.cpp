@@ -78,6 +78,7 @@ constexpr std::array switches{
     Switch{"R", Takes::value, "Antialias_Depth", ""},
     Switch{"SC", Takes::value, "Start_Column", ""},
     Switch{"SF", Takes::value, "Subset_Start_Frame", ""},
+    Switch{"SM", Takes::value, "Preview_File", ""},  // of the LEGO tools' own POV-Ray
     Switch{"SP", Takes::value, "Preview_Start_Size", ""},
     Switch{"SR", Takes::value, "Start_Row", ""},
     Switch{"STP", Takes::value, "Frame_Step", ""},
@@ -217,11 +218,11 @@ void apply_word(Settings& settings, std::string_view word) {
         return;
     }
     if (word == "-" || ends_with(word, ".pov")) {
-        settings.input_file = word;
+        set_option(settings, "Input_File_Name", word);
         return;
     }
     if (word.back() == '/') {
-        settings.library_paths.emplace_back(word);
+        set_option(settings, "Library_Path", word);
         return;
     }
     std::string_view section;
@@ -244,6 +245,7 @@ void read_ini(Settings& settings, const std::string& path, std::string_view sect
         Deeper() { ++ini_depth(); }
         ~Deeper() { --ini_depth(); }
     } const deeper;
+    settings.ini_files.push_back(path);
     bool counts = true;
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) {

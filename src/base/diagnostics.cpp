@@ -14,6 +14,7 @@ std::string_view name_of(Severity severity) {
         case Severity::note:
             return "note";
         case Severity::warning:
+        case Severity::possible_error:
             return "warning";
         case Severity::error:
             return "error";
@@ -59,7 +60,8 @@ void Diagnostics::unsupported(SourceRange where, std::string_view feature, std::
         }
     }
     unsupported_.push_back({where, std::string(feature), std::string(instead), 1});
-    warning(where, fmt::format("{} is not supported yet: {}", feature, instead));
+    report(
+        {Severity::warning, where, fmt::format("{} is not supported yet: {}", feature, instead), {}, true});
 }
 
 std::string format(const Diagnostic& diagnostic, const SourceMap& sources) {

@@ -8,7 +8,8 @@
 
 namespace rb {
 
-enum class Severity { note, warning, error };
+/// A possible error is what the reference calls so: a warning that often explains the error behind it.
+enum class Severity { note, warning, possible_error, error };
 
 /// Something to tell the user about a place in a scene. Notes carry "included from", "in expansion of macro",
 /// hints.
@@ -17,6 +18,7 @@ struct Diagnostic {
     SourceRange where;
     std::string message;
     std::vector<Diagnostic> notes;
+    bool is_unsupported = false;  ///< also listed by `Diagnostics::all_unsupported()`
 };
 
 /// The user's mistake in a scene file: unwinds to the nearest place that can go on (or to the application).

@@ -111,7 +111,8 @@ struct ReadContext {
     /// found).
     PigmentPtr (*read_pigment)(const Block& block, const ReadContext& context) = nullptr;
     ObjectPtr (*read_object)(const Block& block, const ReadContext& context) = nullptr;
-    std::optional<std::string> (*find_file)(const ReadContext& context, const std::string& name) = nullptr;
+    std::optional<std::string> (*find_file)(const ReadContext& context, const std::string& name,
+                                            SourceRange where) = nullptr;
     Session* session = nullptr;  ///< the front end's own; opaque here
 };
 

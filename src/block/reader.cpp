@@ -182,6 +182,7 @@ void BlockReader::fail_at(SourceRange where, std::string message) const {
 
 void BlockReader::finish() const {
     if (at_end()) return;
+    if (block_.keyword == "[") fail(fmt::format("Expected ']', {} found instead", found()));
     fail(fmt::format("No matching }} in '{}', {} found instead", block_.keyword, found()));
 }
 

@@ -141,7 +141,7 @@ void Flattener::add_light(const Light& light, const Inherited& from) {
 void Flattener::add_top(const Object& object, const Inherited& from) {
     if (const auto* light = as<LightPtr>(object)) return add_light(**light, from);
     if (const auto* missing = as<UnsupportedShape>(object)) {
-        diagnostics_.unsupported(object.where, missing->keyword, "The object is left out.");
+        diagnostics_.unsupported(object.where, missing->keyword, "the object is left out");
         return;
     }
     if (splits(object)) {
@@ -211,7 +211,7 @@ uint32_t Flattener::build(const Object& object, const Inherited& from, bool inve
         return no_node;
     }
     if (const auto* missing = as<UnsupportedShape>(object)) {
-        diagnostics_.unsupported(object.where, missing->keyword, "The object is left out.");
+        diagnostics_.unsupported(object.where, missing->keyword, "the object is left out");
         return no_node;
     }
     Inherited own = inherit(object, from);

@@ -91,7 +91,7 @@ struct ObjectProbe::Prepared {
     World world;
 };
 
-ObjectProbe::ObjectProbe() = default;
+ObjectProbe::ObjectProbe(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 ObjectProbe::~ObjectProbe() = default;
 
 const ObjectProbe::Prepared& ObjectProbe::prepare(const ObjectPtr& object) {
@@ -99,9 +99,8 @@ const ObjectProbe::Prepared& ObjectProbe::prepare(const ObjectPtr& object) {
     if (entry) return *entry;
     entry = std::make_unique<Prepared>();
     entry->object = object;
-    Diagnostics ignored;
     static const TexturePtr blank = blank_texture();
-    Flattener flattener(entry->world, blank, ignored);
+    Flattener flattener(entry->world, blank, diagnostics_);
     flattener.keep_all_bounds();
     flattener.add_whole(object);
     entry->world.geometry = make_geometry(flattener.finish(), false);

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/diagnostics.h"
 #include "scene/object.h"
 
 #include <memory>
@@ -18,7 +19,8 @@ struct Traced {
 /// not for several threads at once.
 class ObjectProbe {
 public:
-    ObjectProbe();
+    /// Objects asked about that do not work yet are reported.
+    explicit ObjectProbe(Diagnostics& diagnostics);
     ~ObjectProbe();
 
     /// The nearest hit farther than the language's 1e-4 along `direction` (any length but 0).
@@ -34,6 +36,7 @@ private:
     struct Prepared;
     const Prepared& prepare(const ObjectPtr& object);
 
+    Diagnostics& diagnostics_;
     std::unordered_map<const Object*, std::unique_ptr<Prepared>> prepared_;
 };
 

@@ -57,6 +57,7 @@ void write_png(const Samples& samples, const OutputFormat& format, const std::st
 
     const bool wide = !samples.words.empty();
     const int color = samples.channels == 1   ? PNG_COLOR_TYPE_GRAY
+                      : samples.channels == 2 ? PNG_COLOR_TYPE_GRAY_ALPHA
                       : samples.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA
                                               : PNG_COLOR_TYPE_RGB;
     const Writer writer;

@@ -1,6 +1,8 @@
 // #declare, #local.
 #include "language/parser.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace rb {
@@ -11,6 +13,23 @@ constexpr std::string_view semicolon_message =
     "All #declares of float, vector, and color require semi-colon ';' at end if the language version is set "
     "to "
     "3.5 or higher.";
+
+/// Whether nothing but blanks and a comment follows on the line.
+bool ends_its_line(std::string_view text, size_t at) {
+    at = std::min(text.find_first_not_of(" \t\r", at), text.size());
+    return at == text.size() || text[at] == '\n' || text.substr(at, 2) == "//";
+}
+
+/// An error from version 3.5 on. At the end of a line it is a trifle: nothing else could be meant.
+void missing_semicolon(Session& session, SourceRange value) {
+    const SourceRange end{value.file, value.end, value.end};
+    if (session.language_version < 310) return;
+    const bool trifle =
+        session.language_version < 350 ||
+        (!session.options.strict && ends_its_line(session.sources.text(value.file), value.end));
+    if (!trifle) session.fail(end, std::string(semicolon_message));
+    session.diagnostics.report({Severity::possible_error, end, std::string(semicolon_message), {}});
+}
 
 void check_kind(const Array& array, SourceRange where, const Value& value) {
     for (const Value& element : array.elements) {
@@ -131,10 +150,7 @@ void TokenStream::do_declare(bool local, SourceRange) {
         place.slot->deprecated_once = once;
         const bool ended = take_semicolon();
         if (!numeric) return;
-        if (!ended && session_.language_version >= 350) {
-            session_.fail({right.where.file, right.where.end, right.where.end},
-                          std::string(semicolon_message));
-        }
+        if (!ended) missing_semicolon(session_, right.where);
         if (ended) take_semicolon();
     } catch (const SceneError&) {
         const Place known = session_.symbols.find_place(word);

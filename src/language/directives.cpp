@@ -1,4 +1,5 @@
 // Directives other than declarations, loops and files.
+#include "language/find_file.h"
 #include "language/parser.h"
 #include "language/read.h"
 
@@ -135,9 +136,10 @@ void TokenStream::do_include(SourceRange where) {
         at = parser.peek().where;
         name = parser.file_name();
     }
-    const auto path = find_file(session_, name, FileType::include);
+    const auto path = find_file(session_, name, FileType::include, at);
     if (!path) {
-        session_.fail(at, fmt::format("Cannot open include file {}.", name));
+        throw missing_file(session_, name, FileType::include, at,
+                           fmt::format("Cannot open include file {}.", name));
     }
     open_file(session_.tokens_of(*path), cover(where, at), true);
 }

@@ -1,4 +1,5 @@
 // #fopen, #fclose, #read, #write.
+#include "language/find_file.h"
 #include "language/open_file.h"
 #include "language/parser.h"
 
@@ -30,14 +31,24 @@ void TokenStream::do_fopen(SourceRange) {
         parser.take();
     }
     if (file->mode == OpenFile::Mode::read) {
-        const auto path = find_file(session_, name, FileType::data);
+        const auto path = find_file(session_, name, FileType::data, where);
         std::optional<std::string> text = path ? read_whole_file(*path) : std::nullopt;
-        if (!text) session_.fail(where, fmt::format("Cannot open user file {} (read).", name));
+        if (!text) {
+            throw missing_file(session_, name, FileType::data, where,
+                               fmt::format("Cannot open user file {} (read).", name));
+        }
         const uint32_t number = session_.sources.add(*path, std::move(*text));
         LexOptions options;
         options.runs = false;
         file->tokens = lex(number, session_.sources.text(number), session_.words, options);
     } else {
+        const auto& may_write = session_.options.may_write;
+        if (may_write && !may_write(name)) {
+            session_.fail(where,
+                          fmt::format("Writing to {} is not allowed: only below the current directory, "
+                                      "the picture's and temporary ones; --allow-write DIR allows more.",
+                                      name));
+        }
         file->out = std::fopen(name.c_str(), file->mode == OpenFile::Mode::write ? "wb" : "ab");
         if (!file->out) {
             session_.fail(where, fmt::format("Cannot open user file {} ({}).", name,

@@ -1,11 +1,13 @@
 #include "language/load.h"
 
+#include "language/find_file.h"
 #include "language/open_file.h"
 #include "language/parser.h"
 #include "language/read.h"
 #include "language/unsupported.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -15,10 +17,15 @@ namespace {
 
 constexpr int most_errors = 20;
 
+/// Numbers from outside reach a scene as text of six digits (language spec 23.5).
+double as_declared(double value) {
+    return std::strtod(fmt::format("{:.6g}", static_cast<float>(value)).c_str(), nullptr);
+}
+
 void declare_numbers(Session& session) {
     const LoadOptions& o = session.options;
     const auto number = [&](std::string_view name, double value) {
-        session.symbols.create_global(session.words.number(name))->value = Terms{{value}, 1};
+        session.symbols.create_global(session.words.number(name))->value = Terms{{as_declared(value)}, 1};
     };
     number("image_width", o.image_width);
     number("image_height", o.image_height);
@@ -37,25 +44,22 @@ void declare_numbers(Session& session) {
         if (const auto* text = std::get_if<std::string>(&at->second)) {
             slot->value = *text;
         } else {
-            slot->value = Terms{{std::get<double>(at->second)}, 1};
+            slot->value = Terms{{as_declared(std::get<double>(at->second))}, 1};
         }
     }
 }
 
-/// Opens the scene (and the file that goes before it); false if it cannot be read.
-bool open_input(Session& session) {
+/// Opens the scene and the file that goes before it.
+void open_input(Session& session) {
     const LoadOptions& o = session.options;
     std::string name = o.input_file;
     std::string text;
     if (o.input_text) {
         text = *o.input_text;
     } else {
-        const auto path = find_file(session, o.input_file, FileType::scene);
+        const auto path = find_file(session, o.input_file, FileType::scene, {});
         std::optional<std::string> read = path ? read_whole_file(*path) : std::nullopt;
-        if (!read) {
-            session.diagnostics.error({}, fmt::format("Cannot open input file '{}'.", o.input_file));
-            return false;
-        }
+        if (!read) throw missing_file(session, o.input_file, FileType::scene, {}, "Cannot open input file.");
         name = *path;
         text = std::move(*read);
     }
@@ -68,14 +72,13 @@ bool open_input(Session& session) {
     if (!source.empty() && static_cast<unsigned char>(source[0]) >= 128) session.charset = Charset::utf8;
     session.stream.open_file(lex(number, source, session.words, lexing), {}, false);
     if (o.include_header) {
-        const auto path = find_file(session, *o.include_header, FileType::include);
+        const auto path = find_file(session, *o.include_header, FileType::include, {});
         if (!path) {
-            session.diagnostics.error({}, fmt::format("Cannot open include file {}.", *o.include_header));
-            return false;
+            throw missing_file(session, *o.include_header, FileType::include, {},
+                               fmt::format("Cannot open include file {}.", *o.include_header));
         }
         session.stream.open_file(session.tokens_of(*path), {}, true);
     }
-    return true;
 }
 
 void start(Session& session) {
@@ -215,7 +218,10 @@ void warn_at_end(Session& session) {
 bool run(Session& session, const BlockSink& sink) {
     try {
         start(session);
-        if (open_input(session)) read_all(session, sink);
+        open_input(session);
+        read_all(session, sink);
+    } catch (const SceneError& error) {
+        session.diagnostics.report(error.diagnostic());
     } catch (const IoError& error) {
         session.diagnostics.error({}, error.what());
     }
@@ -250,7 +256,7 @@ std::string dump_tokens(const LoadOptions& options, SourceMap& sources, Diagnost
     std::string out;
     try {
         start(session);
-        if (!open_input(session)) return out;
+        open_input(session);
         while (true) {
             const Produced token = session.stream.next();
             if (token.kind == Tok::end) break;

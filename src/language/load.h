@@ -36,6 +36,12 @@ struct LoadOptions {
     std::function<void(std::string_view stream, std::string_view text)> message;
     /// Gives up after so many tokens (0: never), so that a loop without end is an error.
     uint64_t max_tokens = 0;
+    /// Only exact file names and what the reference accepts; otherwise trifles are warnings.
+    bool strict = false;
+    /// Told of every file that is found, as often as it is asked for.
+    std::function<void(const std::string& path)> file_used;
+    /// Whether #fopen may write to this path; absent: it may.
+    std::function<bool(const std::string& path)> may_write;
     bool number_runs = true;  ///< false: read long lists token by token (slow; for tests)
 };
 

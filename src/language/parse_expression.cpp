@@ -1,5 +1,6 @@
 // Operands and operators of scene expressions.
 #include "language/builtins.h"
+#include "language/find_file.h"
 #include "language/parse_state.h"
 
 #include <cmath>
@@ -107,7 +108,11 @@ void ParseState::push_constant(const Produced& token) {
 }
 
 void ParseState::push_text(const Produced& token) {
-    push(unescape(session_, session_.text_of(token.where), token.where), token.where);
+    const std::string_view literal = session_.text_of(token.where);
+    const Item* before = blocks_.empty() || open().items.empty() ? nullptr : &open().items.back();
+    // Behind `png` and the like a backslash is part of a file name, not an escape.
+    const bool is_file = before && before->kind == Item::Kind::word && names_file_type(before->text);
+    push(is_file ? raw_literal(literal) : unescape(session_, literal, token.where), token.where);
 }
 
 Operand ParseState::pop() {

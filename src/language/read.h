@@ -53,6 +53,8 @@ std::shared_ptr<const SkySphere> read_sky_sphere(const Block& block, const ReadC
 Color read_background(const Block& block, const ReadContext& context);
 void read_global_settings(Session& session, const Block& block);
 void read_photons(BlockReader& in);
+/// `radiosity { importance F }` of objects and of #default.
+std::optional<double> read_importance(const Block& block, const ReadContext& context);
 
 /// What a declared block is; error for a keyword that cannot stand there.
 Value read_value(Session& session, const Block& block, const ReadContext& context);

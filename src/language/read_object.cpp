@@ -1,5 +1,6 @@
 // Objects, CSG and object modifiers. Language spec 17, geometry 3.
 #include "language/read.h"
+#include "language/skipped.h"
 #include "shapes/registry.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ void skip_shape(BlockReader& in) {
         const std::string_view word = in.peek_word();
         if (std::find(modifiers.begin(), modifiers.end(), word) != modifiers.end()) return;
         if (in.peek().kind == Item::Kind::bad) return;
-        in.skip_item();
+        skip_item(in);
     }
 }
 
@@ -206,14 +207,8 @@ private:
             BlockReader photons(in_.block("photons"), in_.context());
             read_photons(photons);
         } else if (in_.at_block("radiosity")) {
-            BlockReader radiosity(in_.block("radiosity"), in_.context());
-            if (radiosity.take_word("importance")) {
-                const SourceRange at = radiosity.where();
-                const double value = radiosity.number();
-                if (!(value > 0 && value <= 1))
-                    radiosity.fail_at(at, "Radiosity importance must be in (0,1].");
-            }
-            radiosity.finish();
+            const auto importance = read_importance(in_.block("radiosity"), in_.context());
+            if (importance) object_.radiosity_importance = static_cast<float>(*importance);
         } else if (in_.take_word("dtag")) {
             in_.text();
         } else if (csg && keyword_ == "light_group" && in_.take_word("global_lights")) {
@@ -249,6 +244,18 @@ bool is_object_keyword(std::string_view keyword) {
            find_shape(keyword) != nullptr;
 }
 
+std::optional<double> read_importance(const Block& block, const ReadContext& context) {
+    BlockReader in(block, context);
+    std::optional<double> importance;
+    if (in.take_word("importance")) {
+        const SourceRange at = in.where();
+        importance = in.number();
+        if (!(*importance > 0 && *importance <= 1)) in.fail_at(at, "Radiosity importance must be in (0,1].");
+    }
+    in.finish();
+    return importance;
+}
+
 void read_photons(BlockReader& in) {
     const SourceRange at = in.block_where();
     bool asks = false;
@@ -270,6 +277,7 @@ void read_photons(BlockReader& in) {
 ObjectPtr read_object(const Block& block, const ReadContext& context) {
     BlockReader in(block, context);
     auto object = std::make_shared<Object>();
+    object->radiosity_importance = static_cast<float>(context.session->default_importance);
     const std::string_view keyword = block.keyword;
     const auto csg = csg_kind(keyword);
     if (in.at_thing<ObjectPtr>() && (keyword == "object" || !csg || is_identifier(in.peek()))) {

@@ -1,6 +1,9 @@
 // Patterns and their modifiers. Language spec 18.5, 18.6.
 #include "language/read_pattern.h"
 
+#include "language/session.h"
+#include "language/skipped.h"
+
 #include <algorithm>
 #include <array>
 
@@ -173,10 +176,14 @@ bool take_wave(BlockReader& in, PatternModifiers& modifiers) {
 PatternPtr skip_pattern(BlockReader& in) {
     const std::string word(in.peek_word());
     auto pattern = std::make_shared<UnsupportedPattern>(word, in.where());
-    const bool is_block = in.at_any_block();
+    if (in.at_any_block()) {
+        BlockReader inside(*in.peek().block, in.context());
+        while (!inside.at_end()) skip_item(inside);
+        in.skip_item();
+        return pattern;
+    }
     in.skip_item();
-    if (is_block) return pattern;
-    while (in.at_number() || in.at_text() || in.at_word("df3") || in.at_word("interpolate")) in.skip_item();
+    while (in.at_number() || in.at_text() || in.at_word("df3") || in.at_word("interpolate")) skip_item(in);
     return pattern;
 }
 

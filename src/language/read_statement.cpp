@@ -117,14 +117,8 @@ void read_default(Session& session, const Block& block) {
         } else if (in.at_block("camera")) {
             read_camera_draft(in.block("camera"), now, session.default_camera, true);
         } else if (in.at_block("radiosity")) {
-            BlockReader radiosity(in.block("radiosity"), now);
-            if (radiosity.take_word("importance")) {
-                const SourceRange at = radiosity.where();
-                session.default_importance = radiosity.number();
-                const bool valid = session.default_importance > 0 && session.default_importance <= 1;
-                if (!valid) radiosity.fail_at(at, "Radiosity importance must be in (0,1].");
-            }
-            radiosity.finish();
+            const auto importance = read_importance(in.block("radiosity"), now);
+            if (importance) session.default_importance = *importance;
         } else {
             break;
         }

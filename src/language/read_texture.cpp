@@ -1,6 +1,7 @@
 // texture, texture_map, layers. Language spec 18.1.
 #include "language/read_map.h"
 #include "language/read_pattern.h"
+#include "language/skipped.h"
 
 namespace rb {
 
@@ -46,7 +47,7 @@ void read_tiles(const Block& block, const ReadContext& context, Texture& texture
 /// A material_map is not drawn yet: its first texture stands for all.
 void read_material_map(const Block& block, const ReadContext& context, TextureLayers& layers) {
     BlockReader in(block, context);
-    while (!in.at_end() && !in.at_block("texture")) in.skip_item();
+    while (!in.at_end() && !in.at_block("texture")) skip_item(in);
     TexturePtr first;
     while (in.at_block("texture")) {
         TexturePtr texture = read_texture(in.block("texture"), context);

@@ -1,6 +1,7 @@
 #include "language/session.h"
 
 #include "language/builtins.h"
+#include "language/find_file.h"
 #include "language/open_file.h"
 #include "language/read.h"
 
@@ -24,8 +25,8 @@ ReadContext Session::context() {
     };
     context.read_texture = [](const Block& block, const ReadContext& c) { return read_texture(block, c); };
     context.read_object = [](const Block& block, const ReadContext& c) { return read_object(block, c); };
-    context.find_file = [](const ReadContext& c, const std::string& name) {
-        return find_file(*c.session, name, FileType::image);
+    context.find_file = [](const ReadContext& c, const std::string& name, SourceRange where) {
+        return find_file(*c.session, name, FileType::image, where);
     };
     return context;
 }
@@ -53,51 +54,6 @@ TokenFilePtr Session::tokens_of(const std::string& path) {
     TokenFilePtr tokens = lex(number, sources.text(number), words, lexing);
     files.emplace(path, tokens);
     return tokens;
-}
-
-namespace {
-
-std::vector<std::string> extensions_of(FileType type) {
-    switch (type) {
-        case FileType::scene:
-            return {".pov", ".POV"};
-        case FileType::include:
-            return {".inc", ".INC"};
-        case FileType::font:
-            return {".ttf", ".TTF"};
-        case FileType::df3:
-            return {".df3", ".DF3"};
-        case FileType::data:
-        case FileType::image:
-            return {};
-    }
-    return {};
-}
-
-}  // namespace
-
-std::optional<std::string> find_file(const Session& session, const std::string& name, FileType type) {
-    namespace fs = std::filesystem;
-    std::vector<std::string> names;
-    const std::vector<std::string> extensions = extensions_of(type);
-    const std::string own = fs::path(name).extension().string();
-    const bool has_own = std::find(extensions.begin(), extensions.end(), own) != extensions.end();
-    if (has_own) names.push_back(name);
-    for (const std::string& extension : extensions) names.push_back(name + extension);
-    if (!has_own) names.push_back(name);
-    const auto usable = [](const fs::path& path) {
-        std::error_code error;
-        return fs::is_regular_file(path, error);
-    };
-    for (const std::string& candidate : names) {
-        if (usable(candidate)) return candidate;
-        if (fs::path(candidate).is_absolute()) continue;
-        for (const std::string& folder : session.options.library_paths) {
-            const fs::path path = fs::path(folder) / candidate;
-            if (usable(path)) return path.string();
-        }
-    }
-    return std::nullopt;
 }
 
 std::string Session::hint(std::string_view word) const {

@@ -67,6 +67,8 @@ struct Session {
     /// Lexes each file once.
     TokenFilePtr tokens_of(const std::string& path);
     std::map<std::string, TokenFilePtr> files;
+    /// Names for which another file was taken, and said so.
+    std::set<std::string> replaced_files;
 
     [[noreturn]] void fail(SourceRange where, std::string message) const {
         throw SceneError(where, std::move(message));
@@ -81,11 +83,6 @@ struct Session {
         return sources.text(where.file).substr(where.begin, where.end - where.begin);
     }
 };
-
-enum class FileType { scene, include, data, image, font, df3 };
-/// Looks in the working directory and the library paths, trying the type's usual extensions (spec: language
-/// 22).
-std::optional<std::string> find_file(const Session& session, const std::string& name, FileType type);
 
 /// "undeclared identifier 'foo'", "float function 'sin'", ...: a token in an error message.
 std::string found_text(const Session& session, const Produced& token);

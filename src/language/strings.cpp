@@ -1,5 +1,6 @@
 // Strings: literals, functions, order. Strings are kept as UTF-8 and counted in 16-bit units.
 #include "language/builtins.h"
+#include "language/find_file.h"
 #include "language/session.h"
 
 #include <algorithm>
@@ -235,7 +236,7 @@ Value call_text(Session& session, Keyword word, std::span<const Operand> a, Sour
         case Keyword::strcmp:
             return real(compare_texts(text_at(a, 0, where), text_at(a, 1, where)));
         case Keyword::file_exists:
-            return real(find_file(session, text_at(a, 0, where), FileType::data) ? 1 : 0);
+            return real(file_exists(session, text_at(a, 0, where)) ? 1 : 0);
         case Keyword::chr: {
             const double code = float_at(a, 0, where);
             if (!(code >= 0 && code < 65536)) throw SceneError(where, "Value of chr() must be in 0..65535.");

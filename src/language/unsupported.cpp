@@ -22,6 +22,9 @@ public:
         if (object->interior && object->interior->has_media) {
             diagnostics_.unsupported(object->interior->where, "media", "the interior is clear");
         }
+        if (const auto* shape = std::get_if<UnsupportedShape>(&object->geometry)) {
+            diagnostics_.unsupported(object->where, shape->keyword, "the object is left out");
+        }
         if (const auto* csg = std::get_if<Csg>(&object->geometry); csg && csg->children) {
             if (csg->cutaway_textures) {
                 diagnostics_.unsupported(object->where, "cutaway_textures",

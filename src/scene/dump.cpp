@@ -154,6 +154,8 @@ private:
         flag(indent, "no_image", o.no_image);
         flag(indent, "no_reflection", o.no_reflection);
         flag(indent, "no_radiosity", o.no_radiosity);
+        if (o.radiosity_importance != 1.0f)
+            line(indent, fmt::format("radiosity importance {}", o.radiosity_importance));
         flag(indent, "double_illuminate", o.double_illuminate);
         flag(indent, "sturm", o.sturm);
         if (o.hollow) line(indent, *o.hollow ? "hollow" : "hollow off");

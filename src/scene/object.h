@@ -75,6 +75,7 @@ struct Object {
     bool double_illuminate = false;
     bool sturm = false;
     std::optional<bool> hollow;
+    float radiosity_importance = 1.0f;  ///< (0, 1]: share of the radiosity samples
 };
 
 /// Applies a transformation statement to an object as the language does: geometry, bounds, clips, and what

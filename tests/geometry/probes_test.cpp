@@ -31,7 +31,8 @@ public:
 
 private:
     ObjectPtr object_;
-    ObjectProbe probe_;
+    Diagnostics diagnostics_;
+    ObjectProbe probe_{diagnostics_};
 };
 
 const Vec3 x{1, 0, 0};

@@ -3,7 +3,7 @@ global_settings { assumed_gamma 1 nonsense 2 } //! error: No matching } in 'glob
 sphere { 0, 1 pigment { chekcer } } //! error: No matching } in 'pigment', undeclared identifier 'chekcer' found instead (did you mean 'checker'?)
 sphere { 0, 1 texture { pigment { rgb 1 } finsh { } } } //! error: No matching } in 'texture', undeclared identifier 'finsh' found instead (did you mean 'finish'?)
 box { <0, 0, 0> } //! error: Expected 'vector', } found instead
-#declare Grey = rgb .5 //! error: All #declares of float, vector, and color require semi-colon ';' at end if the language version is set to 3.5 or higher.
+#declare Grey = rgb .5 plane { y, -2 } //! error: All #declares of float, vector, and color require semi-colon ';' at end if the language version is set to 3.5 or higher.
 #declare Lamp = sphere { 0, Radius } //! error: Expected 'numeric expression', undeclared identifier 'Radius' found instead (did you mean 'radius'?)
 object { Lamp }
 plane { y, -1 pigment { Grey } }
