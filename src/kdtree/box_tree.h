@@ -175,15 +175,12 @@ bool BoxTree::walk(const Ray& ray, uint8_t mask, double t_min, const double& t_m
         if (met == 0) {
             if (!pop(at)) return false;
         } else {
-            const auto lane = [&] {
-                const int i = std::countr_zero(met);
-                met &= met - 1;
-                return Waiting{near_of[i], node.child[i]};
-            };
-            Waiting nearest = lane();
+            const auto child_in = [&](int lane) { return Waiting{near_of[lane], node.child[lane]}; };
+            Waiting nearest = child_in(std::countr_zero(met));
             // The nearest goes on; of the others the nearest is on top.
-            for (const int first = waiting; met != 0;) {
-                Waiting other = lane();
+            const int first = waiting;
+            for (met &= met - 1; met != 0; met &= met - 1) {
+                Waiting other = child_in(std::countr_zero(met));
                 if (other.near < nearest.near) std::swap(other, nearest);
                 int place = waiting++;
                 for (; place > first && stack[place - 1].near < other.near; --place)
