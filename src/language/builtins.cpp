@@ -149,7 +149,8 @@ Value call_extent(Session& session, Keyword word, const Operand& operand, Source
         oracle(session, word == Keyword::max_extent ? "max_extent" : "min_extent", where).extent(object);
     Vec3 corner = word == Keyword::max_extent ? bounds.hi : bounds.lo;
     for (double* v : {&corner.x, &corner.y, &corner.z}) {
-        *v = static_cast<double>(static_cast<float>(std::clamp(*v, -1e10, 1e10)));
+        // Adding 0 turns -0 into 0.
+        *v = static_cast<double>(static_cast<float>(std::clamp(*v, -1e10, 1e10))) + 0.0;
     }
     return vector(corner);
 }
@@ -372,10 +373,13 @@ void decode_srgb(Session& session, WrittenColor& color, SourceRange where) {
         const double value = color.base.v[0];
         color.base = {{value, value, value, value, value}, color.word_terms};
     }
+    // Single precision, as the reference.
+    const float exponent = 1 / static_cast<float>(*power);
     for (size_t i = 0; i < 3; ++i) {
         double& v = color.base.v[i];
         v = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-        v = std::pow(v, 1 / *power);
+        if (exponent != 1)
+            v = std::pow(static_cast<double>(static_cast<float>(v)), static_cast<double>(exponent));
     }
 }
 

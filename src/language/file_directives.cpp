@@ -38,7 +38,8 @@ void TokenStream::do_fopen(SourceRange) {
         options.runs = false;
         file->tokens = lex(number, session_.sources.text(number), session_.words, options);
     } else {
-        file->out = std::fopen(name.c_str(), file->mode == OpenFile::Mode::write ? "wb" : "ab");
+        if (session_.options.file_access)
+            file->out = std::fopen(name.c_str(), file->mode == OpenFile::Mode::write ? "wb" : "ab");
         if (!file->out) {
             session_.fail(where, fmt::format("Cannot open user file {} ({}).", name,
                                              file->mode == OpenFile::Mode::write ? "write" : "append"));
@@ -214,7 +215,8 @@ void TokenStream::do_write(SourceRange) {
     Parser parser(session_);
     std::optional<Binary> binary;
     while (true) {
-        parser.take_if(Tok::comma);
+        // A type holds up to the next comma.
+        if (parser.take_if(Tok::comma)) binary.reset();
         if (parser.peek().kind == Tok::rparen) break;
         if (const auto type = binary_of(parser.peek())) {
             binary = type;
@@ -222,9 +224,8 @@ void TokenStream::do_write(SourceRange) {
             continue;
         }
         const Operand item = parser.sum();
-        if (binary) {
-            const auto* terms = item.terms();
-            if (!terms) session_.fail(item.where, "Expected 'numeric expression'");
+        const auto* terms = item.terms();
+        if (binary && terms) {
             for (size_t i = 0; i < static_cast<size_t>(terms->count); ++i) {
                 write_binary(file->out, *binary, terms->v[i]);
             }

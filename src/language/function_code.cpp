@@ -135,7 +135,8 @@ double call_many(Keyword f, const double* a, size_t count) {
         return a[0] < 0 ? a[1] : a[0] == 0 ? a[2] : a[3];
     }
     double best = a[0];
-    for (size_t i = 1; i < count; ++i) best = f == Keyword::min ? std::min(best, a[i]) : std::max(best, a[i]);
+    // The order of the operands decides what becomes of nan.
+    for (size_t i = 1; i < count; ++i) best = f == Keyword::min ? std::min(a[i], best) : std::max(best, a[i]);
     return best;
 }
 
@@ -200,12 +201,12 @@ void FunctionCode::run(double* variable, double* stack_base, double& result) con
                 top[-1] = top[-1] != top[0];
                 --top;
                 break;
-            case Op::greater_equal:
-                top[-1] = top[-1] >= top[0];
+            case Op::greater_equal:  // true for nan, as in the reference
+                top[-1] = !(top[-1] < top[0]);
                 --top;
                 break;
             case Op::greater:
-                top[-1] = top[-1] > top[0];
+                top[-1] = !(top[-1] <= top[0]);
                 --top;
                 break;
             case Op::both:

@@ -36,6 +36,7 @@ struct LoadOptions {
     std::function<void(std::string_view stream, std::string_view text)> message;
     /// Gives up after so many tokens (0: never), so that a loop without end is an error.
     uint64_t max_tokens = 0;
+    bool file_access = true;  ///< false: the scene neither finds, reads nor writes files (fuzzing)
     bool number_runs = true;  ///< false: read long lists token by token (slow; for tests)
 };
 

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double tolerance = 1e-10;
 
+/// nan counts as equal to everything, as in the reference.
+bool equal(double a, double b) { return !(std::abs(a - b) > tolerance); }
+
 double divide(Session& session, double a, double b, SourceRange where) {
     if (b == 0.0) {
         session.warn(where, "Divide by zero.");
@@ -34,13 +37,13 @@ double calculate(Session& session, Operator op, double a, double b, SourceRange 
         case Operator::less:
             return a < b;
         case Operator::less_equal:
-            return a <= b || std::abs(a - b) < tolerance;
+            return a < b || equal(a, b);
         case Operator::equal:
-            return std::abs(a - b) < tolerance;
+            return equal(a, b);
         case Operator::unequal:
-            return !(std::abs(a - b) < tolerance);
+            return !equal(a, b);
         case Operator::greater_equal:
-            return a >= b || std::abs(a - b) < tolerance;
+            return a > b || equal(a, b);
         case Operator::greater:
             return a > b;
         case Operator::both:

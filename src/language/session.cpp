@@ -78,6 +78,7 @@ std::vector<std::string> extensions_of(FileType type) {
 
 std::optional<std::string> find_file(const Session& session, const std::string& name, FileType type) {
     namespace fs = std::filesystem;
+    if (!session.options.file_access) return std::nullopt;
     std::vector<std::string> names;
     const std::vector<std::string> extensions = extensions_of(type);
     const std::string own = fs::path(name).extension().string();

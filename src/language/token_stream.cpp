@@ -57,7 +57,8 @@ Produced TokenStream::next() {
 bool TokenStream::is_pending(const Produced& token) const {
     if (!token.waiting) return false;
     if (token.kind == Tok::hash) return !locked;
-    return token.kind == Tok::name && !quiet && std::holds_alternative<MacroPtr>(token.place.value());
+    return token.kind == Tok::name && !quiet && !locked &&
+           std::holds_alternative<MacroPtr>(token.place.value());
 }
 
 void TokenStream::run_hash(const Produced& hash) {
@@ -89,11 +90,11 @@ bool TokenStream::resolve(const Token& token, Produced& out) {
         out.kind = out.place.known() ? Tok::name : Tok::undeclared;
         if (!out.place.known()) return true;
         if (!out.place.slot->deprecated.empty()) warn_deprecated(*out.place.slot, out);
-        if (const auto* macro = std::get_if<MacroPtr>(&out.place.value()); macro && !quiet) {
+        if (const auto* macro = std::get_if<MacroPtr>(&out.place.value()); macro && !quiet && !locked) {
             call(*macro, out.where);
             return false;
         }
-        out.waiting = quiet && std::holds_alternative<MacroPtr>(out.place.value());
+        out.waiting = (quiet || locked) && std::holds_alternative<MacroPtr>(out.place.value());
         return true;
     }
     if (token.kind == Tok::invalid) {
