@@ -24,7 +24,7 @@ def measure(povray, head, probe):
         if done.returncode == 0:
             lines = Path(folder, "debug.txt").read_text().split("\n")
             return " | ".join(line.strip() for line in lines if line.strip()) or "(nothing)"
-        error = re.search(r"Parse\s+Error:\s+(.*?)\s*Fatal", done.stderr, re.S)
+        error = re.search(r"Parse\s+Error:\s+(.*?)\s*(?:Fatal|====)", done.stderr, re.S)
         return "refused: " + " ".join((error[1] if error else done.stderr[-200:]).split())
 
 

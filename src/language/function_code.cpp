@@ -127,8 +127,6 @@ FunctionCode compile(const FunctionNode& body, uint32_t parameters, uint32_t var
     return code;
 }
 
-namespace {
-
 double call_many(Keyword f, const double* a, size_t count) {
     if (f == Keyword::select) {
         if (count == 3) return a[0] < 0 ? a[1] : a[2];
@@ -154,7 +152,12 @@ double run_loop(const FunctionCode& body, bool is_sum, uint32_t variable, double
     return total;
 }
 
-}  // namespace
+double call_component(const Function& f, std::span<const double> arguments, uint8_t component) {
+    std::array<double, 5> out{};
+    f.evaluate(arguments, {out.data(), static_cast<size_t>(f.result_count())});
+    if (component == 254) return 0.297 * out[0] + 0.589 * out[1] + 0.114 * out[2];
+    return out[component == 255 ? 0 : component];
+}
 
 void FunctionCode::run(double* variable, double* stack_base, double& result) const {
     double* top = stack_base - 1;
@@ -230,15 +233,11 @@ void FunctionCode::run(double* variable, double* stack_base, double& result) con
                 top -= i.count - 1;
                 *top = call_many(static_cast<Keyword>(i.index), top, i.count);
                 break;
-            case Op::function: {
+            case Op::function:
                 top -= i.count;
-                std::array<double, 5> out{};
-                const Function& f = *functions[i.index];
-                f.evaluate({top + 1, i.count}, {out.data(), static_cast<size_t>(f.result_count())});
-                *++top = i.component == 254 ? 0.297 * out[0] + 0.589 * out[1] + 0.114 * out[2]
-                                            : out[i.component == 255 ? 0 : i.component];
+                top[1] = call_component(*functions[i.index], {top + 1, i.count}, i.component);
+                ++top;
                 break;
-            }
             case Op::sum:
             case Op::product:
                 --top;
