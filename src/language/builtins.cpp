@@ -74,7 +74,10 @@ double call_real1(Session& session, Keyword word, double a, SourceRange where) {
         case Keyword::seed:
             return static_cast<double>(session.random.open(a));
         case Keyword::rand:
-            if (!session.random.known(a)) session.fail(where, "Illegal random number generator.");
+            if (!session.random.known(a)) {
+                throw SceneError(where, "Illegal random number generator.",
+                                 "rand() takes what seed() gave: #declare R = seed(1); ... rand(R)");
+            }
             return session.random.next(static_cast<size_t>(a));
         default:
             break;
@@ -88,7 +91,8 @@ double call_real2(Session& session, Keyword word, double a, double b, SourceRang
     if (word == Keyword::atan2 && std::abs(a) <= 1e-10 && std::abs(b) <= 1e-10) {
         session.fail(where, "Domain error in atan2!");
     }
-    if (word == Keyword::pow && a == 0 && b == 0) session.fail(where, "Domain error.");
+    if (word == Keyword::pow && a == 0 && b == 0)
+        throw SceneError(where, "Domain error.", "0 to the power of 0 is not defined");
     return float_function(word, a, b).value_or(0);
 }
 
@@ -201,7 +205,9 @@ Value call_select(std::span<const Operand> a, SourceRange where) {
 
 Value call_dimensions(Keyword word, std::span<const Operand> a, SourceRange where) {
     if (a.empty() || !std::holds_alternative<ArrayPtr>(a[0].value)) {
-        throw SceneError(a.empty() ? where : a[0].where, "Expected 'array identifier'");
+        throw SceneError(a.empty() ? where : a[0].where,
+                         fmt::format("Expected 'array identifier', {} found instead",
+                                     a.empty() ? ")" : kind_name(a[0].value)));
     }
     const Array& array = *std::get<ArrayPtr>(a[0].value);
     if (word == Keyword::dimensions) return real(static_cast<double>(array.sizes.size()));
@@ -212,6 +218,36 @@ Value call_dimensions(Keyword word, std::span<const Operand> a, SourceRange wher
 }
 
 }  // namespace
+
+std::string_view usage_of(Keyword function) {
+    constexpr std::pair<Keyword, std::string_view> usages[] = {
+        {Keyword::atan2, "atan2(Y, X)"},
+        {Keyword::concat, "concat(STRING, ...)"},
+        {Keyword::datetime, "datetime(DAYS [, FORMAT])"},
+        {Keyword::dimension_size, "dimension_size(ARRAY, DIMENSION)"},
+        {Keyword::div, "div(A, B)"},
+        {Keyword::inside, "inside(OBJECT, POINT)"},
+        {Keyword::max, "max(NUMBER, ...)"},
+        {Keyword::min, "min(NUMBER, ...)"},
+        {Keyword::mod, "mod(A, B)"},
+        {Keyword::pow, "pow(BASE, EXPONENT)"},
+        {Keyword::select,
+         "select(TEST, IF_NEGATIVE, OTHERWISE) or select(TEST, IF_NEGATIVE, IF_ZERO, IF_POSITIVE)"},
+        {Keyword::str, "str(NUMBER, LENGTH, DIGITS)"},
+        {Keyword::strcmp, "strcmp(STRING, STRING)"},
+        {Keyword::substr, "substr(STRING, FIRST, COUNT)"},
+        {Keyword::trace, "trace(OBJECT, ORIGIN, DIRECTION [, NORMAL])"},
+        {Keyword::vaxis_rotate, "vaxis_rotate(VECTOR, AXIS, DEGREES)"},
+        {Keyword::vcross, "vcross(VECTOR, VECTOR)"},
+        {Keyword::vdot, "vdot(VECTOR, VECTOR)"},
+        {Keyword::vrotate, "vrotate(VECTOR, DEGREES)"},
+        {Keyword::vstr, "vstr(COUNT, VECTOR, SEPARATOR, LENGTH, DIGITS)"},
+        {Keyword::vturbulence, "vturbulence(LAMBDA, OMEGA, OCTAVES, VECTOR)"}};
+    for (const auto& [word, usage] : usages) {
+        if (word == function) return usage;
+    }
+    return {};
+}
 
 int component_index(Keyword word) {
     switch (word) {

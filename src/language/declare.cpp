@@ -47,8 +47,13 @@ Place TokenStream::raw_element(const Place& array, SourceRange where) {
 
 size_t checked_subscript(const Operand& operand, size_t size) {
     const double value = to_float(operand) + 1e-10;
-    if (value < 0) throw SceneError(operand.where, "Negative subscript");
-    if (!(value < static_cast<double>(size))) throw SceneError(operand.where, "Array subscript out of range");
+    const auto fail = [&](const char* message) {
+        throw SceneError(
+            operand.where, message,
+            fmt::format("the subscript is {:g}; this dimension has 0..{}", to_float(operand), size - 1));
+    };
+    if (value < 0) fail("Negative subscript");
+    if (!(value < static_cast<double>(size))) fail("Array subscript out of range");
     return static_cast<size_t>(value);
 }
 

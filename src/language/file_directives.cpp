@@ -106,7 +106,11 @@ TokenStream::NamedFile TokenStream::raw_open_file() {
     const uint32_t word = raw_name("file identifier");
     const Place handle = session_.symbols.find_place(word);
     if (!handle.known() || !std::holds_alternative<OpenFilePtr>(handle.value())) {
-        session_.fail(where, "Expected 'file identifier'");
+        const std::string_view name = session_.words.spelling(word);
+        session_.fail(where, fmt::format("Expected 'file identifier', {} found instead{}",
+                                         handle.known() ? kind_name(handle.value())
+                                                        : fmt::format("undeclared identifier '{}'", name),
+                                         handle.known() ? "" : session_.hint(name)));
     }
     return {std::get<OpenFilePtr>(handle.value()), word, where};
 }

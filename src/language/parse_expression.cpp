@@ -193,7 +193,9 @@ void ParseState::take_component(const Produced& name) {
         }
         const bool plane_only = keyword == Keyword::u || keyword == Keyword::v;
         if (index >= terms.count || (plane_only && index > 1)) {
-            session_.fail(name.where, "Bad operands for period operator.");
+            throw SceneError(
+                name.where, "Bad operands for period operator.",
+                fmt::format("the value has {} component{}", terms.count, terms.count == 1 ? "" : "s"));
         }
         value = terms.v[static_cast<size_t>(index)];
     }
@@ -245,7 +247,17 @@ void ParseState::close_call(SourceRange where) {
     lists_.pop_back();
     const SourceRange whole = cover(list.where, where);
     const std::span<const Operand> arguments(operands_.data() + list.base, operands_.size() - list.base);
-    Value result = call_builtin(session_, static_cast<Keyword>(list.word), arguments, whole);
+    Value result;
+    try {
+        result = call_builtin(session_, static_cast<Keyword>(list.word), arguments, whole);
+    } catch (SceneError& error) {
+        const std::string_view usage = usage_of(static_cast<Keyword>(list.word));
+        const bool misused = error.diagnostic().message.starts_with("Expected");
+        if (misused && !usage.empty()) {
+            error.diagnostic().notes.push_back({Severity::note, {}, fmt::format("usage: {}", usage), {}});
+        }
+        throw;
+    }
     operands_.resize(list.base);
     push(std::move(result), whole);
 }

@@ -169,8 +169,13 @@ void TokenStream::call(const MacroPtr& macro, SourceRange where) {
         parser.expect(Tok::lparen, "(");
         for (size_t i = 0; i < macro->parameters.size(); ++i) {
             if (parser.peek().kind == Tok::rparen) {
-                session_.fail(parser.peek().where, fmt::format("Expected {} parameters but only {} found.",
-                                                               macro->parameters.size(), i));
+                std::string names;
+                for (const uint32_t name : macro->parameters)
+                    names += fmt::format("{}{}", names.empty() ? "" : ", ", session_.words.spelling(name));
+                throw SceneError(
+                    parser.peek().where,
+                    fmt::format("Expected {} parameters but only {} found.", macro->parameters.size(), i),
+                    fmt::format("usage: {}({})", macro->name, names));
             }
             if (parser.peek().kind == Tok::undeclared) {
                 session_.fail(
@@ -187,7 +192,10 @@ void TokenStream::call(const MacroPtr& macro, SourceRange where) {
         }
         parser.expect(Tok::rparen, ")");
     }
-    if (session_.symbols.depth() >= Symbols::limit) session_.fail(where, "Too many nested symbol tables");
+    if (session_.symbols.depth() >= Symbols::limit) {
+        throw SceneError(where, "Too many nested symbol tables",
+                         fmt::format("at most {} macro calls and include files nest", Symbols::limit - 2));
+    }
     session_.symbols.open();
     for (size_t i = 0; i < arguments.size(); ++i) {
         Operand& argument = arguments[i];
