@@ -80,12 +80,13 @@ struct defined_test {
 struct primary : sor<number, name, vector, constant, group, call_one, call_many, text_literal, defined_test> {
 };
 
-/// factor = { "+" } primary [ component ] | "-" factor | "!" factor
+/// factor = primary [ component ] | "+" factor | "-" factor | "!" factor
 struct factor;
+struct plus_sign : if_must<is<Tok::plus>, nested<factor>> {};
 struct negation : if_must<is<Tok::minus>, nested<factor>> {};
 struct inversion : if_must<is<Tok::bang>, nested<factor>> {};
-struct positive : seq<star<is<Tok::plus>, open_next>, primary, opt<component>> {};
-struct factor : seq<open_next, sor<positive, negation, inversion>> {};
+struct operand : seq<primary, opt<component>> {};
+struct factor : seq<open_next, sor<operand, negation, inversion, plus_sign>> {};
 
 /// term = factor { ("*" | "/") factor }
 struct multiplied : if_must<is<Tok::star>, factor> {};

@@ -27,6 +27,10 @@ public:
     explicit SceneError(Diagnostic diagnostic) : diagnostic_(std::move(diagnostic)) {}
     SceneError(SourceRange where, std::string message)
         : diagnostic_{Severity::error, where, std::move(message), {}} {}
+    /// With a note that explains or tells what to do.
+    SceneError(SourceRange where, std::string message, std::string note)
+        : diagnostic_{
+              Severity::error, where, std::move(message), {{Severity::note, {}, std::move(note), {}}}} {}
 
     const Diagnostic& diagnostic() const { return diagnostic_; }
     Diagnostic& diagnostic() { return diagnostic_; }

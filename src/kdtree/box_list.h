@@ -43,7 +43,8 @@ template <class Visit>
 bool BoxList::walk(const Ray& ray, uint8_t mask, double t_min, const double& t_max, Visit&& visit) const {
     if (count_ <= 2) {
         for (size_t i = 0; i < count_; ++i) {
-            if ((nodes_[0].mask[i] & mask) != 0 && visit(nodes_[0].child[i] & ~BoxTree::element_bit)) return true;
+            if ((nodes_[0].mask[i] & mask) != 0 && visit(nodes_[0].child[i] & ~BoxTree::element_bit))
+                return true;
         }
         return false;
     }

@@ -74,7 +74,10 @@ double call_real1(Session& session, Keyword word, double a, SourceRange where) {
         case Keyword::seed:
             return static_cast<double>(session.random.open(a));
         case Keyword::rand:
-            if (!session.random.known(a)) session.fail(where, "Illegal random number generator.");
+            if (!session.random.known(a)) {
+                throw SceneError(where, "Illegal random number generator.",
+                                 "rand() takes what seed() gave: #declare R = seed(1); ... rand(R)");
+            }
             return session.random.next(static_cast<size_t>(a));
         default:
             break;
@@ -88,7 +91,8 @@ double call_real2(Session& session, Keyword word, double a, double b, SourceRang
     if (word == Keyword::atan2 && std::abs(a) <= 1e-10 && std::abs(b) <= 1e-10) {
         session.fail(where, "Domain error in atan2!");
     }
-    if (word == Keyword::pow && a == 0 && b == 0) session.fail(where, "Domain error.");
+    if (word == Keyword::pow && a == 0 && b == 0)
+        throw SceneError(where, "Domain error.", "0 to the power of 0 is not defined");
     return float_function(word, a, b).value_or(0);
 }
 
@@ -149,7 +153,8 @@ Value call_extent(Session& session, Keyword word, const Operand& operand, Source
         oracle(session, word == Keyword::max_extent ? "max_extent" : "min_extent", where).extent(object);
     Vec3 corner = word == Keyword::max_extent ? bounds.hi : bounds.lo;
     for (double* v : {&corner.x, &corner.y, &corner.z}) {
-        *v = static_cast<double>(static_cast<float>(std::clamp(*v, -1e10, 1e10)));
+        // Adding 0 turns -0 into 0.
+        *v = static_cast<double>(static_cast<float>(std::clamp(*v, -1e10, 1e10))) + 0.0;
     }
     return vector(corner);
 }
@@ -200,7 +205,9 @@ Value call_select(std::span<const Operand> a, SourceRange where) {
 
 Value call_dimensions(Keyword word, std::span<const Operand> a, SourceRange where) {
     if (a.empty() || !std::holds_alternative<ArrayPtr>(a[0].value)) {
-        throw SceneError(a.empty() ? where : a[0].where, "Expected 'array identifier'");
+        throw SceneError(a.empty() ? where : a[0].where,
+                         fmt::format("Expected 'array identifier', {} found instead",
+                                     a.empty() ? ")" : kind_name(a[0].value)));
     }
     const Array& array = *std::get<ArrayPtr>(a[0].value);
     if (word == Keyword::dimensions) return real(static_cast<double>(array.sizes.size()));
@@ -372,10 +379,13 @@ void decode_srgb(Session& session, WrittenColor& color, SourceRange where) {
         const double value = color.base.v[0];
         color.base = {{value, value, value, value, value}, color.word_terms};
     }
+    // Single precision, as the reference.
+    const float exponent = 1 / static_cast<float>(*power);
     for (size_t i = 0; i < 3; ++i) {
         double& v = color.base.v[i];
         v = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-        v = std::pow(v, 1 / *power);
+        if (exponent != 1)
+            v = std::pow(static_cast<double>(static_cast<float>(v)), static_cast<double>(exponent));
     }
 }
 

@@ -5,6 +5,9 @@
 
 namespace rb {
 
+/// "pow(BASE, EXPONENT)": how a function of several arguments is called; empty for the others.
+std::string_view usage_of(Keyword function);
+
 /// 0 for x, u, red, ...; -1 if the word is no component.
 int component_index(Keyword word);
 

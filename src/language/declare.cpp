@@ -66,16 +66,23 @@ Place TokenStream::raw_element(const Place& array, SourceRange where) {
 
 size_t checked_subscript(const Operand& operand, size_t size) {
     const double value = to_float(operand) + 1e-10;
-    if (value < 0) throw SceneError(operand.where, "Negative subscript");
-    if (!(value < static_cast<double>(size))) throw SceneError(operand.where, "Array subscript out of range");
+    const auto fail = [&](const char* message) {
+        throw SceneError(
+            operand.where, message,
+            fmt::format("the subscript is {:g}; this dimension has 0..{}", to_float(operand), size - 1));
+    };
+    if (value < 0) fail("Negative subscript");
+    if (!(value < static_cast<double>(size))) fail("Array subscript out of range");
     return static_cast<size_t>(value);
 }
 
 Place TokenStream::declared_place(uint32_t word, size_t level, bool local, SourceRange where,
-                                  const Value& value) {
+                                  const Value& value, const Place& before) {
     Symbols& symbols = session_.symbols;
     Place place;
-    if (local) {
+    if (level >= symbols.depth()) {
+        place = before;
+    } else if (local) {
         place = symbols.find_at(word, level);
     } else {
         for (size_t at = level + 1; at-- > 0 && !place.known();) place = symbols.find_at(word, at);
@@ -130,6 +137,9 @@ void TokenStream::do_declare(bool local, SourceRange) {
         raw_expect(Tok::equals, "=");
         // Macro calls on the right side may still be open when the value is known.
         const size_t level = session_.symbols.depth() - 1;
+        // A macro may end behind its last declaration before the value is stored: its names are gone then.
+        const Place before =
+            local ? session_.symbols.find_at(word, level) : session_.symbols.find_place(word);
         Operand right;
         {
             Parser parser(session_);
@@ -144,7 +154,7 @@ void TokenStream::do_declare(bool local, SourceRange) {
         const bool numeric = std::holds_alternative<Terms>(right.value);
         if (right.place.known()) right.value = deep_copy(right.value);
         const Place place =
-            element.known() ? element : declared_place(word, level, local, where, right.value);
+            element.known() ? element : declared_place(word, level, local, where, right.value, before);
         store(place, where, std::move(right.value));
         place.slot->deprecated = deprecated;
         place.slot->deprecated_once = once;

@@ -49,7 +49,8 @@ void TokenStream::do_fopen(SourceRange) {
                                       "the picture's and temporary ones; --allow-write DIR allows more.",
                                       name));
         }
-        file->out = std::fopen(name.c_str(), file->mode == OpenFile::Mode::write ? "wb" : "ab");
+        if (session_.options.file_access)
+            file->out = std::fopen(name.c_str(), file->mode == OpenFile::Mode::write ? "wb" : "ab");
         if (!file->out) {
             session_.fail(where, fmt::format("Cannot open user file {} ({}).", name,
                                              file->mode == OpenFile::Mode::write ? "write" : "append"));
@@ -116,7 +117,11 @@ TokenStream::NamedFile TokenStream::raw_open_file() {
     const uint32_t word = raw_name("file identifier");
     const Place handle = session_.symbols.find_place(word);
     if (!handle.known() || !std::holds_alternative<OpenFilePtr>(handle.value())) {
-        session_.fail(where, "Expected 'file identifier'");
+        const std::string_view name = session_.words.spelling(word);
+        session_.fail(where, fmt::format("Expected 'file identifier', {} found instead{}",
+                                         handle.known() ? kind_name(handle.value())
+                                                        : fmt::format("undeclared identifier '{}'", name),
+                                         handle.known() ? "" : session_.hint(name)));
     }
     return {std::get<OpenFilePtr>(handle.value()), word, where};
 }
@@ -225,7 +230,8 @@ void TokenStream::do_write(SourceRange) {
     Parser parser(session_);
     std::optional<Binary> binary;
     while (true) {
-        parser.take_if(Tok::comma);
+        // A type holds up to the next comma.
+        if (parser.take_if(Tok::comma)) binary.reset();
         if (parser.peek().kind == Tok::rparen) break;
         if (const auto type = binary_of(parser.peek())) {
             binary = type;
@@ -233,9 +239,8 @@ void TokenStream::do_write(SourceRange) {
             continue;
         }
         const Operand item = parser.sum();
-        if (binary) {
-            const auto* terms = item.terms();
-            if (!terms) session_.fail(item.where, "Expected 'numeric expression'");
+        const auto* terms = item.terms();
+        if (binary && terms) {
             for (size_t i = 0; i < static_cast<size_t>(terms->count); ++i) {
                 write_binary(file->out, *binary, terms->v[i]);
             }

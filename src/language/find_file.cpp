@@ -51,6 +51,7 @@ bool is_file(const fs::path& path) {
 }
 
 std::optional<std::string> find_exactly(const Session& session, const std::string& name, FileType type) {
+    if (!session.options.file_access) return std::nullopt;
     for (const std::string& candidate : candidates_of(name, type)) {
         if (is_file(candidate)) return candidate;
         if (fs::path(candidate).is_absolute()) continue;
@@ -101,6 +102,7 @@ std::string portable(std::string name) {
 }
 
 std::optional<std::string> find_leniently(const Session& session, const std::string& name, FileType type) {
+    if (!session.options.file_access) return std::nullopt;
     const fs::path meant(portable(name));
     for (const fs::path& tried : {meant, meant.filename()}) {
         for (const std::string& candidate : candidates_of(tried.string(), type)) {

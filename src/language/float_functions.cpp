@@ -8,7 +8,7 @@ namespace rb {
 
 double whole_part(double value) {
     if (!(std::abs(value) < 2147483648.0)) return -2147483648.0;
-    return std::trunc(value);
+    return std::trunc(value) + 0.0;  // an integer has no -0
 }
 
 std::optional<double> float_function(Keyword word, double a) {

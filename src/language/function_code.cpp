@@ -127,15 +127,14 @@ FunctionCode compile(const FunctionNode& body, uint32_t parameters, uint32_t var
     return code;
 }
 
-namespace {
-
 double call_many(Keyword f, const double* a, size_t count) {
     if (f == Keyword::select) {
         if (count == 3) return a[0] < 0 ? a[1] : a[2];
         return a[0] < 0 ? a[1] : a[0] == 0 ? a[2] : a[3];
     }
     double best = a[0];
-    for (size_t i = 1; i < count; ++i) best = f == Keyword::min ? std::min(best, a[i]) : std::max(best, a[i]);
+    // The order of the operands decides what becomes of nan.
+    for (size_t i = 1; i < count; ++i) best = f == Keyword::min ? std::min(a[i], best) : std::max(best, a[i]);
     return best;
 }
 
@@ -153,7 +152,12 @@ double run_loop(const FunctionCode& body, bool is_sum, uint32_t variable, double
     return total;
 }
 
-}  // namespace
+double call_component(const Function& f, std::span<const double> arguments, uint8_t component) {
+    std::array<double, 5> out{};
+    f.evaluate(arguments, {out.data(), static_cast<size_t>(f.result_count())});
+    if (component == 254) return 0.297 * out[0] + 0.589 * out[1] + 0.114 * out[2];
+    return out[component == 255 ? 0 : component];
+}
 
 void FunctionCode::run(double* variable, double* stack_base, double& result) const {
     double* top = stack_base - 1;
@@ -200,12 +204,12 @@ void FunctionCode::run(double* variable, double* stack_base, double& result) con
                 top[-1] = top[-1] != top[0];
                 --top;
                 break;
-            case Op::greater_equal:
-                top[-1] = top[-1] >= top[0];
+            case Op::greater_equal:  // true for nan, as in the reference
+                top[-1] = !(top[-1] < top[0]);
                 --top;
                 break;
             case Op::greater:
-                top[-1] = top[-1] > top[0];
+                top[-1] = !(top[-1] <= top[0]);
                 --top;
                 break;
             case Op::both:
@@ -229,15 +233,11 @@ void FunctionCode::run(double* variable, double* stack_base, double& result) con
                 top -= i.count - 1;
                 *top = call_many(static_cast<Keyword>(i.index), top, i.count);
                 break;
-            case Op::function: {
+            case Op::function:
                 top -= i.count;
-                std::array<double, 5> out{};
-                const Function& f = *functions[i.index];
-                f.evaluate({top + 1, i.count}, {out.data(), static_cast<size_t>(f.result_count())});
-                *++top = i.component == 254 ? 0.297 * out[0] + 0.589 * out[1] + 0.114 * out[2]
-                                            : out[i.component == 255 ? 0 : i.component];
+                top[1] = call_component(*functions[i.index], {top + 1, i.count}, i.component);
+                ++top;
                 break;
-            }
             case Op::sum:
             case Op::product:
                 --top;

@@ -1,4 +1,5 @@
 #pragma once
+#include "grammar/token.h"
 #include "scene/function.h"
 
 #include <cstdint>
@@ -64,7 +65,23 @@ struct FunctionCode {
     uint32_t stack = 0;      ///< deepest
 
     void run(double* variable, double* stack_base, double& result) const;
+
+    /// Rows that are computed together.
+    static constexpr size_t batch = 64;
+    /// The same for up to `batch` rows: variable k of row i is `variable[k * batch + i]`, the stack likewise.
+    void run_rows(size_t rows, double* variable, double* stack_base, std::span<double> results) const;
+
+    /// Holds the result for all variables within the given intervals.
+    Interval bound(std::span<Interval> variable) const;
 };
+
+/// min, max or select of `count` values.
+double call_many(Keyword f, const double* a, size_t count);
+/// sum or prod: the body for variable number `variable` = from, from + 1, ... while it is <= to.
+double run_loop(const FunctionCode& body, bool is_sum, uint32_t variable, double* variables, double from,
+                double to);
+/// Result `component` of a call: 255 the only one, 254 its grey value.
+double call_component(const Function& f, std::span<const double> arguments, uint8_t component);
 
 FunctionCode compile(const FunctionNode& body, uint32_t parameters, uint32_t variables);
 
@@ -75,6 +92,8 @@ public:
     int parameter_count() const override { return parameters_; }
     int result_count() const override { return 1; }
     void evaluate(std::span<const double> arguments, std::span<double> result) const override;
+    void evaluate_rows(std::span<const double* const> arguments, std::span<double> results) const override;
+    Interval bound(std::span<const Interval> arguments, int component) const override;
     const FunctionCode& code() const { return code_; }
 
 private:

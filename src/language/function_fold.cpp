@@ -1,6 +1,8 @@
 #include "grammar/token.h"
 #include "language/function_code.h"
+#include "language/words.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rb {
@@ -95,6 +97,19 @@ bool fold_chain(FunctionNode& node) {
 
 }  // namespace
 
+namespace {
+
+/// A part that is not folded may still not divide by the constant 0.
+bool divides_by_zero(const FunctionNode& node) {
+    for (size_t i = 0; i < node.operators.size(); ++i) {
+        const FunctionNode& divisor = node.parts[i + 1];
+        if (node.operators[i] == '/' && divisor.kind == Kind::constant && divisor.value == 0) return true;
+    }
+    return std::any_of(node.parts.begin(), node.parts.end(), divides_by_zero);
+}
+
+}  // namespace
+
 bool fold(FunctionNode& node) {
     switch (node.kind) {
         case Kind::constant:
@@ -107,13 +122,18 @@ bool fold(FunctionNode& node) {
         case Kind::chain:
             return fold_chain(node);
         case Kind::group:
-        case Kind::loop:
+            return fold(node.parts[0]);
         case Kind::call:
         case Kind::function:
-            for (FunctionNode& part : node.parts) {
-                if (!fold(part)) return false;
+        case Kind::loop: {
+            // Of a call only the first argument is folded, of pow both, of sum and prod nothing.
+            const bool is_pow = node.kind == Kind::call && node.index == word_of(Keyword::pow);
+            const size_t folded = node.kind == Kind::loop ? 0 : is_pow ? 2 : 1;
+            for (size_t i = 0; i < node.parts.size(); ++i) {
+                if (i < folded ? !fold(node.parts[i]) : divides_by_zero(node.parts[i])) return false;
             }
             return true;
+        }
     }
     return true;
 }

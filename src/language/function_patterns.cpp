@@ -21,11 +21,17 @@ public:
     std::string_view keyword() const override { return "function"; }
     void evaluate(const PatternContext&, std::span<const Vec3> points,
                   std::span<double> values) const override {
-        const auto count = static_cast<size_t>(function_->parameter_count());
+        std::vector<double> columns(3 * points.size());
+        const std::array<double*, 3> column{columns.data(), columns.data() + points.size(),
+                                            columns.data() + 2 * points.size()};
         for (size_t i = 0; i < points.size(); ++i) {
-            const std::array<double, 3> p{points[i].x, points[i].y, points[i].z};
-            function_->evaluate({p.data(), count}, values.subspan(i, 1));
+            column[0][i] = points[i].x;
+            column[1][i] = points[i].y;
+            column[2][i] = points[i].z;
         }
+        const std::array<const double*, 3> arguments{column[0], column[1], column[2]};
+        function_->evaluate_rows({arguments.data(), static_cast<size_t>(function_->parameter_count())},
+                                 values);
     }
 
 private:

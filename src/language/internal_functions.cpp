@@ -3,6 +3,7 @@
 #include "language/function_code.h"
 #include "patterns/noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 
@@ -10,14 +11,23 @@ namespace rb {
 
 namespace {
 
+bool are_points(std::span<const Interval> a) {
+    return std::all_of(a.begin(), a.end(), [](const Interval& v) { return v.is_point(); });
+}
+
 class Surface final : public Function {
 public:
     explicit Surface(const InternalKind& kind) : kind_(kind) {}
     int parameter_count() const override { return kind_.parameters + 3; }
     int result_count() const override { return 1; }
     void evaluate(std::span<const double> a, std::span<double> result) const override {
-        InternalPoint at{a[0], a[1], a[2], a[0] * a[0], a[1] * a[1], a[2] * a[2], a.data() + 3};
+        InternalPoint<double> at(a);
         result[0] = kind_.value(at);
+    }
+    Interval bound(std::span<const Interval> a, int) const override {
+        if (!are_points(a.subspan(3))) return Interval::everything();
+        InternalPoint<Interval> at(a);
+        return kind_.bound(at);
     }
 
 private:
@@ -29,39 +39,64 @@ int generator_of(double number) {
     const int generator = static_cast<int>(std::trunc(number)) & 3;
     return generator == 0 ? 1 : generator;
 }
-double signed_noise(const Vec3& p, int generator) { return 2 * noise(p, generator) - 1; }
 
-double hetero_mf(const Vec3& start, const double* P) {
-    const int generator = generator_of(P[5]);
-    Vec3 p = start;
-    double sum = signed_noise(p, generator) + P[3];
-    p *= P[1];
-    const double e = std::pow(P[1], -P[0]);
-    double k = e;
-    for (int i = 1; i < P[2]; ++i) {
-        double increment = (signed_noise(p, generator) + P[3]) * k;
-        for (int n = 0; n < static_cast<int>(P[4]); ++n) increment *= sum;
+template <class T>
+struct Place3 {
+    T x, y, z;
+    Place3 times(const T& f) const { return {x * f, y * f, z * f}; }
+};
+double noise_at(const Place3<double>& p, int generator) { return noise(Vec3{p.x, p.y, p.z}, generator); }
+/// Of a box only the range of noise is known.
+Interval noise_at(const Place3<Interval>& p, int generator) {
+    for (const Interval& v : {p.x, p.y, p.z}) {
+        // Where the lattice ends.
+        if (v.maybe_nan || !(v.lo > -2e9 && v.hi < 2e9)) return Interval::everything();
+    }
+    if (!p.x.is_point() || !p.y.is_point() || !p.z.is_point()) return {0, 1};
+    return noise(Vec3{p.x.lo, p.y.lo, p.z.lo}, generator);
+}
+template <class T>
+T signed_noise(const Place3<T>& p, int generator) {
+    return 2 * noise_at(p, generator) - 1;
+}
+
+using std::abs;
+using std::max;
+using std::min;
+using std::pow;
+
+template <class T>
+T hetero_mf(Place3<T> p, const T* P) {
+    const int generator = generator_of(known(P[5]));
+    T sum = signed_noise(p, generator) + P[3];
+    p = p.times(P[1]);
+    const T e = pow(P[1], -P[0]);
+    T k = e;
+    for (int i = 1; i < known(P[2]); ++i) {
+        T increment = (signed_noise(p, generator) + P[3]) * k;
+        for (int n = 0; n < static_cast<int>(known(P[4])); ++n) increment *= sum;
         sum += increment;
-        p *= P[1];
+        p = p.times(P[1]);
         k *= e;
     }
-    const double rest = P[2] - std::trunc(P[2]);
+    const double rest = known(P[2]) - std::trunc(known(P[2]));
     if (rest != 0) sum += rest * (signed_noise(p, generator) + P[3]) * k * sum;
     return sum;
 }
 
-double ridge(const Vec3& p, const double* P) {
-    const int generator = generator_of(P[5]);
-    const double ridge_scale = 1 / std::max(P[4], 1 - P[4]);
-    const double offset_scale = 1 / std::max(P[3], 1 - P[3]);
-    const int octaves = static_cast<int>(P[1]);
-    const auto value = [&](const Vec3& q) { return std::abs(noise(q, generator) - P[4]) * ridge_scale; };
-    double sum = value(p) - P[3];
-    double total = 1;
-    double lambda = P[0];
-    double omega = P[2];
+template <class T>
+T ridge(const Place3<T>& p, const T* P) {
+    const int generator = generator_of(known(P[5]));
+    const T ridge_scale = 1 / max(P[4], 1 - P[4]);
+    const T offset_scale = 1 / max(P[3], 1 - P[3]);
+    const int octaves = static_cast<int>(known(P[1]));
+    const auto value = [&](const Place3<T>& q) { return abs(noise_at(q, generator) - P[4]) * ridge_scale; };
+    T sum = value(p) - P[3];
+    T total = 1;
+    T lambda = P[0];
+    T omega = P[2];
     const auto add = [&](double weight) {
-        sum += weight * omega * (value(lambda * p) - P[3]);
+        sum += weight * omega * (value(p.times(lambda)) - P[3]);
         total += weight * omega;
     };
     for (int i = 2; i <= octaves; ++i) {
@@ -69,7 +104,7 @@ double ridge(const Vec3& p, const double* P) {
         lambda *= P[0];
         omega *= P[2];
     }
-    const double rest = P[1] - octaves;
+    const double rest = known(P[1]) - octaves;
     if (rest != 0) add(rest);
     return sum * offset_scale / total;
 }
@@ -80,35 +115,36 @@ public:
     int parameter_count() const override { return 9; }
     int result_count() const override { return 1; }
     void evaluate(std::span<const double> a, std::span<double> result) const override {
-        const Vec3 p{a[0], a[1], a[2]};
-        const double* parameters = a.data() + 3;
-        if (number_ == 29) {
-            result[0] = hetero_mf(p, parameters);
-        } else if (number_ == 58) {
-            result[0] = ridge(p, parameters);
-        } else {
-            result[0] = ridged_mf(p, parameters);
-        }
+        result[0] = value(a);
+    }
+    /// Counts as a call, see ridged_mf().
+    Interval bound(std::span<const Interval> a, int) const override {
+        return are_points(a.subspan(3)) ? value(a) : Interval::everything();
     }
 
 private:
+    template <class T>
+    T value(std::span<const T> a) const {
+        const Place3<T> p{a[0], a[1], a[2]};
+        const T* parameters = a.data() + 3;
+        if (number_ == 29) return hetero_mf(p, parameters);
+        if (number_ == 58) return ridge(p, parameters);
+        return ridged_mf(p, parameters);
+    }
     /// The weights come from the first call of this function and stay (as in the reference).
-    double ridged_mf(const Vec3& start, const double* P) const {
+    template <class T>
+    T ridged_mf(Place3<T> p, const T* P) const {
         std::call_once(once_, [&] {
-            const int count = static_cast<int>(std::clamp(P[2], 0.0, 1000.0));
-            for (int i = 0; i <= count; ++i) weights_.push_back(std::pow(std::pow(P[1], i), -P[0]));
+            const int count = static_cast<int>(std::clamp(known(P[2]), 0.0, 1000.0));
+            for (int i = 0; i <= count; ++i) weights_.push_back(pow(pow(known(P[1]), i), -known(P[0])));
         });
-        const int generator = generator_of(P[5]);
-        Vec3 p = start;
-        const auto sample = [&] {
-            const double s = P[3] - std::abs(signed_noise(p, generator));
-            return s * s;
-        };
-        double s = sample();
-        double sum = s;
-        for (size_t i = 1; static_cast<double>(i) < P[2]; ++i) {
-            p *= P[1];
-            const double weight = std::clamp(s * P[4], 0.0, 1.0);
+        const int generator = generator_of(known(P[5]));
+        const auto sample = [&] { return square(P[3] - abs(signed_noise(p, generator))); };
+        T s = sample();
+        T sum = s;
+        for (size_t i = 1; static_cast<double>(i) < known(P[2]); ++i) {
+            p = p.times(P[1]);
+            const T weight = min(max(s * P[4], T(0)), T(1));
             s = sample() * weight;
             sum += s * (i < weights_.size() ? weights_[i] : 0.0);
         }
@@ -128,7 +164,12 @@ public:
     int result_count() const override { return 1; }
     void evaluate(std::span<const double> a, std::span<double> result) const override {
         const int generator = parameters_ == 1 ? generator_of(a[3]) : *scene_generator_;
-        result[0] = noise({a[0], a[1], a[2]}, generator);
+        result[0] = noise(Vec3{a[0], a[1], a[2]}, generator);
+    }
+    Interval bound(std::span<const Interval> a, int) const override {
+        if (parameters_ == 1 && !a[3].is_point()) return {0, 1};
+        const int generator = parameters_ == 1 ? generator_of(a[3].lo) : *scene_generator_;
+        return noise_at(Place3<Interval>{a[0], a[1], a[2]}, generator);
     }
 
 private:
@@ -141,9 +182,25 @@ public:
     int parameter_count() const override { return 3; }
     int result_count() const override { return 1; }
     void evaluate(std::span<const double>, std::span<double> result) const override { result[0] = 0; }
+    Interval bound(std::span<const Interval>, int) const override { return 0; }
 };
 
 }  // namespace
+
+Interval within(const Interval& v, const Interval& limit) {
+    const Interval cut{within(v.lo, limit.lo), within(v.hi, limit.lo)};
+    return v.maybe_nan ? hull(cut, -limit.lo) : cut;
+}
+
+void keep_from_axis(Interval& x, const Interval& z, double small) {
+    if (x.holds(0) && z.holds(0)) x = hull(x, small);
+}
+
+void keep_from_zero(Interval& z) {
+    if (z.lo < 0.2 && z.hi > -0.2) z = z.lo > -0.2 && z.hi < 0.2 ? Interval(0.2) : hull(z, 0.2);
+    // Nothing between is left.
+    if (z.lo > -0.2 && z.lo < 0.2) z.lo = 0.2;
+}
 
 FunctionPtr internal_function(int number, std::shared_ptr<const int> noise_generator) {
     if (number == 29 || number == 58 || number == 59) return std::make_shared<FractalNoise>(number);

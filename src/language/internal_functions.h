@@ -1,29 +1,72 @@
 #pragma once
+#include "math/interval.h"
+
+#include <cmath>
 #include <cstdint>
 #include <span>
 
 namespace rb {
 
-/// The arguments of an internal function: a point, its squares, and the parameters P0, P1, ...
+/// The number itself; of parameters as intervals, which are points, too.
+inline double known(double v) { return v; }
+inline double known(const Interval& v) { return v.lo; }
+
+/// v cut to [-limit, limit]; nan becomes -limit.
+inline double within(double v, double limit) {
+    const double high = v > -limit ? v : -limit;
+    return high < limit ? high : limit;
+}
+Interval within(const Interval& v, const Interval& limit);
+
+/// On the axis x = z = 0, x becomes `small`.
+inline void keep_from_axis(double& x, double z, double small) {
+    if (x == 0 && z == 0) x = small;
+}
+void keep_from_axis(Interval& x, const Interval& z, double small);
+
+/// What is nearer to 0 than 0.2 becomes 0.2.
+inline void keep_from_zero(double& z) {
+    if (z < 0.2 && z > -0.2) z = 0.2;
+}
+void keep_from_zero(Interval& z);
+
+/// The arguments of an internal function: a point, its squares, and the parameters P0, P1, ... T is double or
+/// Interval (a box of points; its parameters are points).
+template <class T>
 struct InternalPoint {
-    double x, y, z;
-    double X, Y, Z;
-    const double* P;
+    T x, y, z;
+    T X, Y, Z;
+    const T* P;
+
+    explicit InternalPoint(std::span<const T> a)
+        : x(a[0]), y(a[1]), z(a[2]), X(square(x)), Y(square(y)), Z(square(z)), P(a.data() + 3) {}
 
     /// Most surfaces: P0 scales, the result stays within +-10.
-    double clamped(double r) const {
-        const double v = P[0] * r;
-        const double high = v > -10 ? v : -10;
-        return high < 10 ? high : 10;
-    }
+    T clamped(const T& r) const { return within(P[0] * r, T(10)); }
+
     /// The two-dimensional ones turn a curve into a surface of revolution first.
-    void revolve(double p, double distance, double angle);
+    void revolve(const T& p, const T& distance, const T& angle) {
+        using std::cos, std::sin, std::sqrt;
+        if (!(known(p) > 0)) return;
+        const T u = sqrt(square(x) + square(z)) - distance;
+        if (known(angle) != 0) {
+            const T theta = angle * 3.14159265358979323846 / 180;
+            const T turned = u * cos(theta) - y * sin(theta);
+            y = u * sin(theta) + y * cos(theta);
+            x = turned;
+        } else {
+            x = u;
+        }
+        X = square(x);
+        Y = square(y);
+    }
 };
 
 struct InternalKind {
     uint8_t number;
     uint8_t parameters;  ///< besides x, y, z
-    double (*value)(InternalPoint& at);
+    double (*value)(InternalPoint<double>& at);
+    Interval (*bound)(InternalPoint<Interval>& at);
 };
 
 std::span<const InternalKind> algebraic_surfaces();

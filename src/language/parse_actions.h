@@ -376,15 +376,21 @@ struct control : tao::pegtl::normal<Rule> {
     [[noreturn]] static void raise(const Input& in, ParseState& state) {
         const Session& session = state.session();
         const Produced& token = in.current();
-        std::string message =
-            fmt::format("Expected '{}', {} found instead", expected_text<Rule>(), found_text(session, token));
+        SceneError error(token.where, fmt::format("Expected '{}', {} found instead", expected_text<Rule>(),
+                                                  found_text(session, token)));
+        std::string& message = error.diagnostic().message;
+        const Block* block = state.open_block();
         if constexpr (std::is_same_v<Rule, grammar::block_close> ||
                       std::is_same_v<Rule, grammar::entry_close>) {
-            message = fmt::format("No matching }} in '{}', {} found instead", state.open_keyword(),
+            message = fmt::format("No matching }} in '{}', {} found instead", block ? block->keyword : "",
                                   found_text(session, token));
         }
         if (token.kind == Tok::undeclared) message += session.hint(session.words.spelling(token.word));
-        session.fail(token.where, std::move(message));
+        if (token.kind == Tok::end && block) {
+            error.diagnostic().notes.push_back(
+                {Severity::note, block->where, fmt::format("'{}' begins here", block->keyword), {}});
+        }
+        throw error;
     }
 };
 

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double tolerance = 1e-10;
 
+/// nan counts as equal to everything, as in the reference.
+bool equal(double a, double b) { return !(std::abs(a - b) > tolerance); }
+
 double divide(Session& session, double a, double b, SourceRange where) {
     if (b == 0.0) {
         session.warn(where, "Divide by zero.");
@@ -35,13 +38,13 @@ double calculate(Session& session, Operator op, double a, double b, SourceRange 
         case Operator::less:
             return a < b;
         case Operator::less_equal:
-            return a <= b || std::abs(a - b) < tolerance;
+            return a < b || equal(a, b);
         case Operator::equal:
-            return std::abs(a - b) < tolerance;
+            return equal(a, b);
         case Operator::unequal:
-            return !(std::abs(a - b) < tolerance);
+            return !equal(a, b);
         case Operator::greater_equal:
-            return a >= b || std::abs(a - b) < tolerance;
+            return a > b || equal(a, b);
         case Operator::greater:
             return a > b;
         case Operator::both:
@@ -195,7 +198,9 @@ void ParseState::take_component(const Produced& name) {
         }
         const bool plane_only = keyword == Keyword::u || keyword == Keyword::v;
         if (index >= terms.count || (plane_only && index > 1)) {
-            session_.fail(name.where, "Bad operands for period operator.");
+            throw SceneError(
+                name.where, "Bad operands for period operator.",
+                fmt::format("the value has {} component{}", terms.count, terms.count == 1 ? "" : "s"));
         }
         value = terms.v[static_cast<size_t>(index)];
     }
@@ -247,7 +252,17 @@ void ParseState::close_call(SourceRange where) {
     lists_.pop_back();
     const SourceRange whole = cover(list.where, where);
     const std::span<const Operand> arguments(operands_.data() + list.base, operands_.size() - list.base);
-    Value result = call_builtin(session_, static_cast<Keyword>(list.word), arguments, whole);
+    Value result;
+    try {
+        result = call_builtin(session_, static_cast<Keyword>(list.word), arguments, whole);
+    } catch (SceneError& error) {
+        const std::string_view usage = usage_of(static_cast<Keyword>(list.word));
+        const bool misused = error.diagnostic().message.starts_with("Expected");
+        if (misused && !usage.empty()) {
+            error.diagnostic().notes.push_back({Severity::note, {}, fmt::format("usage: {}", usage), {}});
+        }
+        throw;
+    }
     operands_.resize(list.base);
     push(std::move(result), whole);
 }

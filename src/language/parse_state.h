@@ -76,7 +76,8 @@ public:
     void open_barrier() { blocks_.push_back({}); }
     void close_barrier() { blocks_.pop_back(); }
     bool colors_allowed() const;
-    std::string open_keyword() const { return blocks_.empty() ? "" : blocks_.back().block->keyword; }
+    /// The innermost open block, or null.
+    const Block* open_block() const { return blocks_.empty() ? nullptr : blocks_.back().block.get(); }
     void add_value();
     void add_color();
     void add_run(const Produced& run);

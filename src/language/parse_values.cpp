@@ -93,7 +93,7 @@ void ParseState::add_row_item() {
     Operand operand = pop();
     OpenArray& opened = arrays_.back();
     Array& array = *opened.array;
-    if (++opened.counts.back() > array.sizes.back()) {
+    if (++opened.counts.back() > array.sizes.back() || opened.filled == array.elements.size()) {
         session_.fail(operand.where,
                       fmt::format("No matching }} in '{{', {} found instead", kind_name(operand.value)));
     }

@@ -57,10 +57,16 @@ TokenFilePtr Session::tokens_of(const std::string& path) {
 }
 
 std::string Session::hint(std::string_view word) const {
-    if (word.size() < 4) return {};
+    if (word.size() < 3) return {};
     std::vector<std::string_view> candidates;
     for (uint32_t visible : symbols.visible()) candidates.push_back(words.spelling(visible));
     for (std::string_view spelling : keyword_spellings) candidates.push_back(spelling);
+    // Every short word is close to another: only swapped letters are a mistake.
+    if (word.size() == 3) {
+        std::erase_if(candidates, [&](std::string_view candidate) {
+            return !std::is_permutation(word.begin(), word.end(), candidate.begin(), candidate.end());
+        });
+    }
     const std::string_view close = closest_word(word, candidates);
     return close.empty() ? "" : fmt::format(" (did you mean '{}'?)", close);
 }

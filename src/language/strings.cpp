@@ -178,7 +178,8 @@ Value substring(std::span<const Operand> a, SourceRange where) {
     const double from = std::trunc(float_at(a, 1, where));
     const double count = std::trunc(float_at(a, 2, where));
     if (from < 0 || count < 0 || from + count - 1 > static_cast<double>(units.size())) {
-        throw SceneError(where, "Illegal parameters in substr.");
+        throw SceneError(where, "Illegal parameters in substr.",
+                         fmt::format("the string has {} characters; the first is number 1", units.size()));
     }
     if (from == 0) return std::string{};
     return text_of_units(
@@ -188,7 +189,11 @@ Value substring(std::span<const Operand> a, SourceRange where) {
 Value vector_text(std::span<const Operand> a, SourceRange where) {
     const auto count = static_cast<size_t>(std::clamp(std::trunc(float_at(a, 0, where)), 2.0, 5.0));
     const Terms* terms = a.size() > 1 ? a[1].terms() : nullptr;
-    if (!terms) throw SceneError(where, "Expected 'vector' in vstr");
+    if (!terms) {
+        throw SceneError(
+            a.size() > 1 ? a[1].where : where,
+            fmt::format("Expected 'vector', {} found instead", a.size() > 1 ? kind_name(a[1].value) : ")"));
+    }
     const std::string& separator = text_at(a, 2, where);
     std::string out;
     for (size_t i = 0; i < count; ++i) {

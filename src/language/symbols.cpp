@@ -50,7 +50,8 @@ void Symbols::put(uint32_t word, size_t level, const Place& place) {
 SlotPtr Symbols::create(uint32_t word, size_t level) {
     Place place;
     place.slot = std::make_shared<Slot>();
-    put(word, level, place);
+    // A table that has been closed takes no more symbols: this one would be gone, too.
+    if (level < tables_.size()) put(word, level, place);
     return place.slot;
 }
 

@@ -23,6 +23,7 @@ public:
     Place find_place(uint32_t word) const;
 
     /// A new symbol in the innermost (`level` = depth() - 1) or another table; replaces one of the same name.
+    /// Where the table is closed already, the slot belongs to nobody.
     SlotPtr create(uint32_t word, size_t level);
     SlotPtr create_local(uint32_t word) { return create(word, tables_.size() - 1); }
     SlotPtr create_global(uint32_t word) { return create(word, 0); }

@@ -57,7 +57,8 @@ Produced TokenStream::next() {
 bool TokenStream::is_pending(const Produced& token) const {
     if (!token.waiting) return false;
     if (token.kind == Tok::hash) return !locked;
-    return token.kind == Tok::name && !quiet && std::holds_alternative<MacroPtr>(token.place.value());
+    return token.kind == Tok::name && !quiet && !locked &&
+           std::holds_alternative<MacroPtr>(token.place.value());
 }
 
 void TokenStream::run_hash(const Produced& hash) {
@@ -89,11 +90,11 @@ bool TokenStream::resolve(const Token& token, Produced& out) {
         out.kind = out.place.known() ? Tok::name : Tok::undeclared;
         if (!out.place.known()) return true;
         if (!out.place.slot->deprecated.empty()) warn_deprecated(*out.place.slot, out);
-        if (const auto* macro = std::get_if<MacroPtr>(&out.place.value()); macro && !quiet) {
+        if (const auto* macro = std::get_if<MacroPtr>(&out.place.value()); macro && !quiet && !locked) {
             call(*macro, out.where);
             return false;
         }
-        out.waiting = quiet && std::holds_alternative<MacroPtr>(out.place.value());
+        out.waiting = (quiet || locked) && std::holds_alternative<MacroPtr>(out.place.value());
         return true;
     }
     if (token.kind == Tok::invalid) {
@@ -168,8 +169,13 @@ void TokenStream::call(const MacroPtr& macro, SourceRange where) {
         parser.expect(Tok::lparen, "(");
         for (size_t i = 0; i < macro->parameters.size(); ++i) {
             if (parser.peek().kind == Tok::rparen) {
-                session_.fail(parser.peek().where, fmt::format("Expected {} parameters but only {} found.",
-                                                               macro->parameters.size(), i));
+                std::string names;
+                for (const uint32_t name : macro->parameters)
+                    names += fmt::format("{}{}", names.empty() ? "" : ", ", session_.words.spelling(name));
+                throw SceneError(
+                    parser.peek().where,
+                    fmt::format("Expected {} parameters but only {} found.", macro->parameters.size(), i),
+                    fmt::format("usage: {}({})", macro->name, names));
             }
             if (parser.peek().kind == Tok::undeclared) {
                 session_.fail(
@@ -186,7 +192,10 @@ void TokenStream::call(const MacroPtr& macro, SourceRange where) {
         }
         parser.expect(Tok::rparen, ")");
     }
-    if (session_.symbols.depth() >= Symbols::limit) session_.fail(where, "Too many nested symbol tables");
+    if (session_.symbols.depth() >= Symbols::limit) {
+        throw SceneError(where, "Too many nested symbol tables",
+                         fmt::format("at most {} macro calls and include files nest", Symbols::limit - 2));
+    }
     session_.symbols.open();
     for (size_t i = 0; i < arguments.size(); ++i) {
         Operand& argument = arguments[i];

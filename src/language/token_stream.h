@@ -35,7 +35,7 @@ public:
     /// True for a `#` or macro name that was handed on as a token but would run now.
     bool is_pending(const Produced& token) const;
 
-    /// While locked, a `#` is handed on as a token instead of being executed.
+    /// While locked, a `#` and a macro's name are handed on as tokens instead of being executed.
     bool locked = false;
     /// While quiet, macro names are handed on as names instead of being called.
     bool quiet = false;
@@ -116,7 +116,9 @@ private:
     void execute_message(uint32_t word, SourceRange where);
     void do_include(SourceRange where);
     void do_declare(bool local, SourceRange where);
-    Place declared_place(uint32_t word, size_t level, bool local, SourceRange where, const Value& value);
+    /// What `word` stands for in the table `level`, made if need be; `before` if that table is closed.
+    Place declared_place(uint32_t word, size_t level, bool local, SourceRange where, const Value& value,
+                         const Place& before = {});
     void store(const Place& place, SourceRange where, Value value);
     void do_undef();
     void do_default(SourceRange where);

@@ -1,4 +1,6 @@
 #pragma once
+#include "math/interval.h"
+
 #include <memory>
 #include <span>
 
@@ -13,6 +15,13 @@ public:
     /// 1 for a float function, 2..5 for the vector valued kinds.
     virtual int result_count() const = 0;
     virtual void evaluate(std::span<const double> arguments, std::span<double> result) const = 0;
+
+    /// The first result for many rows of arguments, bit for bit as evaluate() gives it: parameter k of row i
+    /// is `arguments[k][i]`.
+    virtual void evaluate_rows(std::span<const double* const> arguments, std::span<double> results) const;
+
+    /// Holds result `component` for all arguments within the given intervals.
+    virtual Interval bound(std::span<const Interval> arguments, int component) const;
 };
 using FunctionPtr = std::shared_ptr<const Function>;
 

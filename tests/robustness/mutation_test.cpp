@@ -130,6 +130,25 @@ TEST(Mutation, EveryBrokenSceneGivesAnErrorWithItsPlace) {
     }
 }
 
+// What the fuzzers (scripts/fuzz.sh) found.
+TEST(Find, StaysMended) {
+    std::ifstream in(fs::path(RB_SOURCE_DIR) / "tests/robustness/finds.txt");
+    std::vector<std::string> finds;
+    for (std::string line; std::getline(in, line);) {
+        if (line.starts_with("--- ")) {
+            finds.emplace_back();
+        } else if (!finds.empty()) {
+            finds.back() += line + "\n";
+        }
+    }
+    EXPECT_FALSE(finds.empty());
+    for (const std::string& text : finds) {
+        const Outcome out = load(text);
+        EXPECT_EQ(out.loaded, out.errors.empty()) << text;
+        EXPECT_LT(out.seconds, 10.0) << text;
+    }
+}
+
 TEST(Mutation, RandomDamageNeverCrashes) {
     const std::vector<std::string> texts = scene_texts();
     Random random(7);

@@ -1,0 +1,247 @@
+// User functions over intervals: every instruction of FunctionCode::run on sets of numbers.
+#include "language/float_functions.h"
+#include "language/function_code.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rb {
+
+namespace {
+
+using Op = FunctionCode::Op;
+
+constexpr Interval yes{1, 1};
+constexpr Interval no{0, 0};
+constexpr Interval either_way{0, 1};
+
+/// No variable's number.
+constexpr uint32_t none = 0xffffffff;
+
+Interval truth(bool always, bool never) { return always ? yes : never ? no : either_way; }
+
+Interval compare(Op op, const Interval& a, const Interval& b) {
+    if (a.maybe_nan || b.maybe_nan) return either_way;
+    const bool apart = a.hi < b.lo || b.hi < a.lo;
+    const bool same = a.is_point() && b.is_point() && a.lo == b.lo;
+    switch (op) {
+        case Op::less:
+            return truth(a.hi < b.lo, a.lo >= b.hi);
+        case Op::less_equal:
+            return truth(a.hi <= b.lo, a.lo > b.hi);
+        case Op::equal:
+            return truth(same, apart);
+        case Op::unequal:
+            return truth(apart, same);
+        case Op::greater_equal:
+            return truth(a.lo >= b.hi, a.hi < b.lo);
+        default:
+            return truth(a.lo > b.hi, a.hi <= b.lo);
+    }
+}
+
+/// Whether it counts as true; nan does.
+Interval is_set(const Interval& v) { return truth(!v.holds(0), v.is_point() && v.lo == 0); }
+
+Interval operate(Op op, const Interval& a, const Interval& b) {
+    switch (op) {
+        case Op::add:
+            return a + b;
+        case Op::subtract:
+            return a - b;
+        case Op::multiply:
+            return a * b;
+        case Op::divide:
+            return a / b;
+        case Op::both:
+            return {std::min(is_set(a).lo, is_set(b).lo), std::min(is_set(a).hi, is_set(b).hi)};
+        case Op::either:
+            return {std::max(is_set(a).lo, is_set(b).lo), std::max(is_set(a).hi, is_set(b).hi)};
+        default:
+            return compare(op, a, b);
+    }
+}
+
+/// whole_part(): through a 32-bit integer.
+Interval whole(const Interval& v) {
+    constexpr double limit = 2147483648.0;
+    const Interval inside = trunc(Interval{std::clamp(v.lo, -limit, limit), std::clamp(v.hi, -limit, limit)});
+    const bool fits = !v.maybe_nan && v.lo > -limit && v.hi < limit;
+    return fits ? inside : hull(inside, -limit);
+}
+
+Interval call(Keyword word, const Interval& a) {
+    switch (word) {
+        case Keyword::abs:
+            return abs(a);
+        case Keyword::ceil:
+            return ceil(a);
+        case Keyword::floor:
+            return floor(a);
+        case Keyword::int_:
+            return whole(a);
+        case Keyword::exp:
+            return exp(a);
+        case Keyword::ln:
+            return log(a);
+        case Keyword::log:
+            return log10(a);
+        case Keyword::sqrt:
+            return sqrt(a);
+        case Keyword::sin:
+            return sin(a);
+        case Keyword::cos:
+            return cos(a);
+        case Keyword::tan:
+            return tan(a);
+        case Keyword::asin:
+            return asin(a);
+        case Keyword::acos:
+            return acos(a);
+        case Keyword::atan:
+            return atan(a);
+        case Keyword::sinh:
+            return sinh(a);
+        case Keyword::cosh:
+            return cosh(a);
+        case Keyword::tanh:
+            return tanh(a);
+        case Keyword::asinh:
+            return asinh(a);
+        case Keyword::acosh:
+            return acosh(a);
+        case Keyword::atanh:
+            return atanh(a);
+        case Keyword::degrees:
+            return a * 180 / 3.14159265358979323846;
+        case Keyword::radians:
+            return a * 3.14159265358979323846 / 180;
+        default:
+            return Interval::everything();
+    }
+}
+
+Interval call(Keyword word, const Interval& a, const Interval& b) {
+    switch (word) {
+        case Keyword::atan2:
+            return atan2(a, b);
+        case Keyword::mod:
+            return fmod(a, b);
+        case Keyword::pow:
+            return pow(a, b);
+        case Keyword::div:
+            return whole(a / b);
+        default:
+            return Interval::everything();
+    }
+}
+
+Interval choose(std::span<const Interval> a) {
+    const Interval& test = a[0];
+    const bool negative = test.lo < 0;
+    const bool zero = test.holds(0);
+    const bool positive = test.hi > 0 || test.maybe_nan;
+    Interval out = a.back();
+    bool any = false;
+    const auto add = [&](bool possible, const Interval& v) {
+        if (possible) out = any ? hull(out, v) : v;
+        any = any || possible;
+    };
+    add(negative, a[1]);
+    add(zero, a[2]);
+    add(positive, a.size() == 3 ? a[2] : a[3]);
+    return out;
+}
+
+Interval call_list(Keyword word, std::span<const Interval> a) {
+    if (word == Keyword::select) return choose(a);
+    Interval best = a[0];
+    for (size_t i = 1; i < a.size(); ++i) best = word == Keyword::min ? min(best, a[i]) : max(best, a[i]);
+    return best;
+}
+
+Interval call_function(const Function& f, std::span<const Interval> a, uint8_t component) {
+    if (component != 254) return f.bound(a, component == 255 ? 0 : component);
+    return 0.297 * f.bound(a, 0) + 0.589 * f.bound(a, 1) + 0.114 * f.bound(a, 2);
+}
+
+/// Loops whose ends are not known, or are far apart, may give anything.
+Interval loop(const FunctionCode& body, bool is_sum, uint32_t variable, std::span<Interval> variables,
+              const Interval& from, const Interval& to) {
+    constexpr double most = 1000;
+    if (!from.is_point() || !to.is_point() || !(to.lo - from.lo < most)) return Interval::everything();
+    Interval total = is_sum ? 0 : 1;
+    for (double i = from.lo; i <= to.lo; i += 1) {
+        variables[variable] = i;
+        const Interval value = body.bound(variables);
+        total = is_sum ? total + value : total * value;
+        if (i + 1 == i) break;
+    }
+    return total;
+}
+
+}  // namespace
+
+Interval FunctionCode::bound(std::span<Interval> variable) const {
+    std::vector<Interval> values(stack + 1);
+    // Which variable a value is, so that its square is known as one.
+    std::vector<uint32_t> names(stack + 1, none);
+    size_t size = 0;
+    const auto push = [&](const Interval& v, uint32_t name = none) {
+        values[size] = v;
+        names[size++] = name;
+    };
+    for (const Instruction& i : instructions) {
+        const auto keyword = static_cast<Keyword>(i.index);
+        const size_t taken =
+            i.op == Op::constant || i.op == Op::variable                                            ? 0
+            : i.op == Op::negate || i.op == Op::call1                                               ? 1
+            : i.op == Op::call3 || i.op == Op::call4 || i.op == Op::min_max || i.op == Op::function ? i.count
+                                                                                                    : 2;
+        size -= taken;
+        const std::span<const Interval> a(values.data() + size, taken);
+        switch (i.op) {
+            case Op::constant:
+                push(i.value);
+                break;
+            case Op::variable:
+                push(variable[i.index], i.index);
+                break;
+            case Op::negate:
+                push(-a[0]);
+                break;
+            case Op::call1:
+                push(call(keyword, a[0]));
+                break;
+            case Op::call2:
+                push(call(keyword, a[0], a[1]));
+                break;
+            case Op::call3:
+            case Op::call4:
+            case Op::min_max:
+                push(call_list(keyword, a));
+                break;
+            case Op::function:
+                push(call_function(*functions[i.index], a, i.component));
+                break;
+            case Op::sum:
+            case Op::product:
+                push(loop(bodies[i.count], i.op == Op::sum, i.index, variable, a[0], a[1]));
+                break;
+            default: {
+                const bool twice =
+                    i.op == Op::multiply && names[size] != none && names[size] == names[size + 1];
+                push(twice ? square(a[0]) : operate(i.op, a[0], a[1]));
+            }
+        }
+    }
+    return values[0];
+}
+
+Interval UserFunction::bound(std::span<const Interval> arguments, int) const {
+    std::vector<Interval> variables(code_.variables);
+    std::copy(arguments.begin(), arguments.end(), variables.begin());
+    return code_.bound(variables);
+}
+
+}  // namespace rb

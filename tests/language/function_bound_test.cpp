@@ -1,0 +1,239 @@
+// Functions over intervals hold what functions of points give; over batches they give the same bits.
+#include "language/function_code.h"
+#include "language/parser.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace rb {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The value of a `function { ... }`.
+FunctionPtr function_of(const std::string& text) {
+    const LoadOptions options;
+    SourceMap sources;
+    Diagnostics diagnostics;
+    Scene scene;
+    Session session(options, sources, diagnostics, scene);
+    const uint32_t number = sources.add("function", text + ";");
+    session.stream.open_file(lex(number, sources.text(number), session.words), {}, false);
+    Parser parser(session);
+    return std::get<FunctionPtr>(std::get<Thing>(parser.rvalue().value));
+}
+
+class Draw {
+public:
+    explicit Draw(unsigned seed) : random_(seed) {}
+    double uniform(double lo, double hi) { return std::uniform_real_distribution(lo, hi)(random_); }
+    size_t index(size_t count) { return random_() % count; }
+    /// Numbers at which functions do something special, or any.
+    double number() {
+        constexpr std::array special{0.0, -0.0, 1.0, -1.0, 0.5, 2.0, -2.0, pi, -pi / 2, 1e-300, 1e10, -3e9};
+        return index(6) == 0 ? special[index(special.size())] : uniform(-4, 4);
+    }
+    Interval interval() {
+        const double width = std::array{0.0, 1e-12, 1e-3, 0.1, 1.0, 8.0}[index(6)];
+        const double at = number();
+        const double other = index(2) ? at + width : at - width;
+        return {std::min(at, other), std::max(at, other)};
+    }
+    double member(const Interval& v) {
+        const size_t kind = index(6);
+        if (kind == 0) return v.lo;
+        if (kind == 1) return v.hi;
+        if (kind == 2 && v.holds(0)) return index(2) ? 0.0 : -0.0;
+        return std::clamp(uniform(0, 1) * (v.hi - v.lo) + v.lo, v.lo, v.hi);
+    }
+
+private:
+    std::mt19937_64 random_;
+};
+
+void expect_bounded(const Function& f, std::span<const Interval> box, Draw& draw, const std::string& name) {
+    const Interval bound = f.bound(box, 0);
+    std::vector<double> point(box.size());
+    std::array<double, 5> out{};
+    for (int i = 0; i < 20; ++i) {
+        for (size_t k = 0; k < box.size(); ++k) point[k] = draw.member(box[k]);
+        f.evaluate(point, {out.data(), static_cast<size_t>(f.result_count())});
+        if (bound.holds(out[0])) continue;
+        std::string where;
+        for (size_t k = 0; k < box.size(); ++k)
+            where += fmt::format(" {} in [{}, {}]", point[k], box[k].lo, box[k].hi);
+        FAIL() << name << " = " << out[0] << " not in [" << bound.lo << ", " << bound.hi << "] at" << where;
+    }
+}
+
+const std::vector<std::string> bodies{"x+y-z",
+                                      "x*y*z",
+                                      "x*x-y*y+z*z*z",
+                                      "x/y",
+                                      "1/(x-y)",
+                                      "x/(y*y+0.1)",
+                                      "-x+(-y)",
+                                      "abs(x-y)",
+                                      "sqrt(x)",
+                                      "sqrt(x*x+y*y)-z",
+                                      "sin(x*3)+cos(y*5)",
+                                      "tan(x)",
+                                      "asin(x)",
+                                      "acos(x/2)",
+                                      "atan(x*y)",
+                                      "atan2(y,x)",
+                                      "sinh(x)",
+                                      "cosh(y)",
+                                      "tanh(z)",
+                                      "asinh(x)",
+                                      "acosh(x)",
+                                      "atanh(x)",
+                                      "exp(x)*ln(y)",
+                                      "log(x+y)",
+                                      "pow(x,2)",
+                                      "pow(x,3)",
+                                      "pow(x,-1)",
+                                      "pow(x,-2)",
+                                      "pow(x,y)",
+                                      "pow(abs(x),y)",
+                                      "pow(x,0)",
+                                      "pow(abs(x),0.5)",
+                                      "mod(x,1)",
+                                      "mod(x,y)",
+                                      "mod(x*5,0.75)",
+                                      "div(x,y)",
+                                      "floor(x)+ceil(y)+int(z)",
+                                      "int(x*1e9)",
+                                      "degrees(x)+radians(y)",
+                                      "min(x,y,z)",
+                                      "max(x,sqrt(y))",
+                                      "select(x,y,z)",
+                                      "select(x,y,z,1)",
+                                      "select(floor(x),1,2,3)",
+                                      "select(sqrt(x),1,2,3)",
+                                      "(x<y)+2*(x<=y)+4*(x>y)+8*(x>=y)+16*(x=y)+32*(x!=y)",
+                                      "(x&y)+2*(x|y)",
+                                      "(sqrt(x)<y)+2*(sqrt(x)>=y)",
+                                      "sum(i,1,4,sin(i*x))",
+                                      "prod(i,1,3,i+x)",
+                                      "sum(i,max(x,-9),min(y,9),i)",
+                                      "sum(i,1,3,sum(j,1,i,j*x*y))",
+                                      "x*x*x*x-2*x*x+y*y-0.5*z",
+                                      "sqrt(x*x+z*z)*sin(6*atan2(z,x))-y",
+                                      "min(sqrt(x*x+y*y+z*z)-1, max(abs(x),abs(y),abs(z))-0.8)",
+                                      "1e308*x*10",
+                                      "ln(x)/ln(y)",
+                                      "exp(x*200)*exp(-x*200)",
+                                      "tan(x*y)/cos(z)"};
+
+TEST(FunctionBound, HoldsWhatUserFunctionsGive) {
+    Draw draw(1);
+    for (const std::string& body : bodies) {
+        const FunctionPtr f = function_of("function { " + body + " }");
+        for (int i = 0; i < 300; ++i) {
+            const std::array box{draw.interval(), draw.interval(), draw.interval()};
+            ASSERT_NO_FATAL_FAILURE(expect_bounded(*f, box, draw, body));
+        }
+    }
+}
+
+TEST(FunctionBound, HoldsWhatInternalFunctionsGive) {
+    Draw draw(2);
+    const auto generator = std::make_shared<const int>(2);
+    for (int number = 0; number <= 78; ++number) {
+        for (int i = 0; i < 200; ++i) {
+            const FunctionPtr f = internal_function(number, generator);
+            std::vector<Interval> box{draw.interval(), draw.interval(), draw.interval()};
+            for (int k = 3; k < f->parameter_count(); ++k) {
+                // Parameters as scenes have them; octaves, counts and generators stay small.
+                const double p = draw.index(4) == 0 ? std::array{0.0, 1.0, 2.0, -1.0}[draw.index(4)]
+                                                    : draw.uniform(0.1, 3);
+                box.emplace_back(p);
+            }
+            ASSERT_NO_FATAL_FAILURE(expect_bounded(*f, box, draw, fmt::format("internal({})", number)));
+        }
+    }
+}
+
+TEST(FunctionBound, FunctionsOfFunctions) {
+    Draw draw(3);
+    const FunctionPtr f = function_of(
+        "#declare S = function { internal(61) } #declare N = function { internal(76) } function { S(x,y,z,1) "
+        "- 0.2*N(5*x,5*y,5*z) }");
+    for (int i = 0; i < 300; ++i) {
+        const std::array box{draw.interval(), draw.interval(), draw.interval()};
+        ASSERT_NO_FATAL_FAILURE(expect_bounded(*f, box, draw, "sphere with noise"));
+    }
+    // Far from the surface the sign is known.
+    const std::array outside{Interval(1.5, 2), Interval(0, 0.5), Interval(0, 0.5)};
+    EXPECT_GT(f->bound(outside, 0).lo, 0);
+    const std::array inside{Interval(-0.2, 0.2), Interval(0, 0.5), Interval(0, 0.5)};
+    EXPECT_LT(f->bound(inside, 0).hi, 0);
+}
+
+struct Tight {
+    const char* body;
+    Interval x;
+    double lo, hi;
+};
+
+TEST(FunctionBound, IsTightForCommonOperations) {
+    for (const Tight& t :
+         {Tight{"x*x", {-1, 2}, 0, 4}, Tight{"pow(x,2)", {-3, 2}, 0, 9}, Tight{"pow(x,3)", {-1, 2}, -1, 8},
+          Tight{"sin(x)", {0, 1}, 0, 0.8414709848}, Tight{"sin(x)", {1, 2}, 0.8414709848, 1},
+          Tight{"cos(x)", {3, 4}, -1, -0.6536436209}, Tight{"sin(x)", {0, 9}, -1, 1},
+          Tight{"abs(x)", {-3, 2}, 0, 3}, Tight{"sqrt(x)", {1, 4}, 1, 2},
+          Tight{"mod(x,1)", {2.25, 2.5}, 0.25, 0.5}, Tight{"mod(x,1)", {0.5, 1.5}, 0, 1},
+          Tight{"1/x", {2, 4}, 0.25, 0.5}, Tight{"exp(x)", {0, 1}, 1, 2.7182818285},
+          Tight{"select(x,1,2,3)", {0.1, 1}, 3, 3}, Tight{"select(x,1,2,3)", {-1, 1}, 1, 3},
+          Tight{"floor(x)", {0.5, 2.5}, 0, 2}, Tight{"min(x,1)", {0, 5}, 0, 1}, Tight{"x<2", {0, 1}, 1, 1}}) {
+        const std::array box{t.x, Interval(0), Interval(0)};
+        const Interval bound = function_of(fmt::format("function {{ {} }}", t.body))->bound(box, 0);
+        EXPECT_NEAR(bound.lo, t.lo, 1e-9) << t.body;
+        EXPECT_NEAR(bound.hi, t.hi, 1e-9) << t.body;
+        EXPECT_FALSE(bound.maybe_nan) << t.body;
+    }
+}
+
+TEST(FunctionBound, KnowsDomains) {
+    const auto bound = [](const char* body, Interval x) {
+        const std::array box{x, Interval(0), Interval(0)};
+        return function_of(fmt::format("function {{ {} }}", body))->bound(box, 0);
+    };
+    EXPECT_TRUE(bound("sqrt(x)", {-1, 1}).maybe_nan);
+    EXPECT_TRUE(bound("ln(x)", {-1, 1}).maybe_nan);
+    EXPECT_FALSE(bound("ln(x)", {0, 1}).maybe_nan);
+    EXPECT_EQ(bound("1/x", {-1, 1}).hi, infinity);
+    EXPECT_TRUE(bound("x/x", {-1, 1}).maybe_nan);
+    EXPECT_TRUE(bound("x-x", {0, infinity}).maybe_nan);
+}
+
+TEST(FunctionRows, GiveTheSameBits) {
+    Draw draw(4);
+    for (const std::string& body : bodies) {
+        const FunctionPtr f = function_of("function { " + body + " }");
+        constexpr size_t count = 150;  // two whole batches and a part
+        std::array<std::vector<double>, 3> columns;
+        for (auto& column : columns) {
+            for (size_t i = 0; i < count; ++i) column.push_back(draw.number());
+        }
+        const std::array<const double*, 3> arguments{columns[0].data(), columns[1].data(), columns[2].data()};
+        std::vector<double> rows(count);
+        f->evaluate_rows(arguments, rows);
+        for (size_t i = 0; i < count; ++i) {
+            const std::array point{columns[0][i], columns[1][i], columns[2][i]};
+            std::array<double, 1> out{};
+            f->evaluate(point, out);
+            const bool same = std::bit_cast<uint64_t>(out[0]) == std::bit_cast<uint64_t>(rows[i]);
+            ASSERT_TRUE(same || (std::isnan(out[0]) && std::isnan(rows[i]))) << body << " " << i;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace rb
