@@ -39,7 +39,15 @@ struct at_text_call
     : tao::pegtl::at<sor<word_is<Keyword::chr>, word_is<Keyword::concat>, word_is<Keyword::str>,
                          word_is<Keyword::vstr>, word_is<Keyword::substr>, word_is<Keyword::strupr>,
                          word_is<Keyword::strlwr>, word_is<Keyword::datetime>>> {};
-struct text_value : sor<text_literal, seq<at_text_call, sor<call_one, call_many>>> {};
+/// With an operator behind it, it is a mistake for `sum` to explain.
+struct text_stands_alone {
+    template <class State>
+    static bool ask(State& state) {
+        return state.text_stands_alone();
+    }
+};
+struct lone_text : seq<tao::pegtl::at<text_literal>, ask<text_stands_alone>, text_literal> {};
+struct text_value : sor<lone_text, seq<at_text_call, sor<call_one, call_many>>> {};
 
 struct color_value : seq<color> {};
 struct sum_value : seq<sum> {};

@@ -293,6 +293,8 @@ bool ParseState::value_is_callable() const {
     return is_function(value) || std::holds_alternative<SplinePtr>(value);
 }
 
+bool ParseState::text_stands_alone() const { return !session_.stream.operator_follows(); }
+
 bool ParseState::value_is_texture() const {
     if (operands_.empty()) return false;
     const auto* thing = std::get_if<Thing>(&operands_.back().value);

@@ -59,6 +59,7 @@ public:
     bool value_is_array() const;
     bool value_is_callable() const;
     bool value_is_texture() const;
+    bool text_stands_alone() const;
 
     // Colours.
     void open_color(SourceRange where) { colors_.push_back({{}, where, {}}); }

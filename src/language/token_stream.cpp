@@ -232,6 +232,11 @@ Token TokenStream::raw_peek() {
     return frame.tokens->tokens[frame.at];
 }
 
+bool TokenStream::operator_follows() {
+    const Tok kind = raw_peek().kind;
+    return kind == Tok::plus || kind == Tok::minus || kind == Tok::star || kind == Tok::slash;
+}
+
 std::string TokenStream::found(const Token& token) {
     Produced out{token.kind, token.aux, 0, range(token), {}};
     if (token.kind == Tok::word) {

@@ -40,6 +40,9 @@ public:
     /// While quiet, macro names are handed on as names instead of being called.
     bool quiet = false;
 
+    /// Whether the next token as written, before any look-up, is an arithmetic operator.
+    bool operator_follows();
+
     void open_file(TokenFilePtr tokens, SourceRange included_at, bool own_table);
     /// Reads the vectors of a run as ordinary tokens.
     void open_run(const SourceRange& run);

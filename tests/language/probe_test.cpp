@@ -67,7 +67,8 @@ TEST(Probe, SaysWhatPovraySays) {
     fs::create_directories(folder);
     fs::current_path(folder);
     for (const Probe& p : probes()) {
-        ProbeOracle oracle;
+        Diagnostics of_geometry;
+        ProbeOracle oracle(of_geometry);
         LoadOptions options;
         options.input_file = "p.pov";
         options.oracle = &oracle;
