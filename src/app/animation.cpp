@@ -16,11 +16,11 @@ int subset_frame(double value, int first, int last, int whole) {
 
 }  // namespace
 
-std::vector<Frame> frames_of(const Settings& s) {
+std::vector<AnimationFrame> frames_of(const Settings& s) {
     const bool still =
         (s.initial_frame == 0 && s.final_frame == 0) || (s.initial_frame == 1 && s.final_frame == 1);
     if (still) {
-        Frame frame;
+        AnimationFrame frame;
         frame.clock = static_cast<double>(static_cast<float>(s.clock));
         return {frame};
     }
@@ -29,7 +29,7 @@ std::vector<Frame> frames_of(const Settings& s) {
     const double delta = (s.final_clock - s.initial_clock) / (last - first);
     const int start = subset_frame(s.subset_start_frame, first, last, first);
     const int end = subset_frame(s.subset_end_frame, first, last, s.cyclic_animation ? last - 1 : last);
-    std::vector<Frame> frames;
+    std::vector<AnimationFrame> frames;
     for (int n = start; n <= end; n += std::max(1, s.frame_step)) {
         const auto clock = static_cast<float>(delta * (n - first) + s.initial_clock);
         frames.push_back({n, static_cast<double>(clock), delta, first, last, s.initial_clock, s.final_clock,

@@ -6,7 +6,7 @@
 namespace rb {
 
 /// One picture of an animation, or the only one of a still.
-struct Frame {
+struct AnimationFrame {
     int number = 0;
     double clock = 0;
     double clock_delta = 0;
@@ -19,6 +19,6 @@ struct Frame {
 
 /// The frames that the settings ask for, in order (language spec 23.5). A still unless the frame range says
 /// otherwise.
-std::vector<Frame> frames_of(const Settings& settings);
+std::vector<AnimationFrame> frames_of(const Settings& settings);
 
 }  // namespace rb

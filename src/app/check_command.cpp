@@ -41,7 +41,7 @@ private:
 
 int run_check(const Settings& settings) {
     Console console(settings.verbose, settings.warning_console);
-    const std::vector<Frame> frames = frames_of(settings);
+    const std::vector<AnimationFrame> frames = frames_of(settings);
     SourceMap sources;
     Diagnostics diagnostics;
     ProbeOracle oracle(diagnostics);

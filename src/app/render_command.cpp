@@ -67,7 +67,7 @@ CompileOptions compile_options(const Settings& settings) {
     return options;
 }
 
-int dump_stage(const Settings& settings, const Frame& frame, Console& console) {
+int dump_stage(const Settings& settings, const AnimationFrame& frame, Console& console) {
     SourceMap sources;
     Diagnostics diagnostics;
     ProbeOracle oracle(diagnostics);
@@ -102,7 +102,7 @@ bool load(const LoadOptions& options, Console& console, SourceMap& sources, Diag
 }
 
 void write_picture(const RenderResult& result, const Scene& scene, const Settings& settings,
-                   const Frame& frame) {
+                   const AnimationFrame& frame) {
     const auto& assumed = scene.settings.assumed_gamma;
     OutputFormat format;
     format.type = settings.file_type;
@@ -115,7 +115,7 @@ void write_picture(const RenderResult& result, const Scene& scene, const Setting
 }
 
 /// Reads, compiles, renders and writes one picture.
-int render_frame(const Settings& settings, const Frame& frame, Console& console) {
+int render_frame(const Settings& settings, const AnimationFrame& frame, Console& console) {
     const RenderOptions options = render_options(settings);
     Statistics statistics;
     auto start = std::chrono::steady_clock::now();
@@ -157,10 +157,10 @@ int code_after(AfterCommand after) {
 }
 
 /// All frames, with the commands before and after them; an exit code.
-int render_frames(const Settings& settings, const std::vector<Frame>& frames, const ShellCommands& commands,
-                  Console& console) {
+int render_frames(const Settings& settings, const std::vector<AnimationFrame>& frames,
+                  const ShellCommands& commands, Console& console) {
     AfterCommand after = commands.run(ShellMoment::pre_scene, frames.front());
-    for (const Frame& frame : frames) {
+    for (const AnimationFrame& frame : frames) {
         if (after != AfterCommand::go_on) break;
         after = commands.run(ShellMoment::pre_frame, frame);
         if (after > AfterCommand::skip) break;
@@ -179,7 +179,7 @@ int render_frames(const Settings& settings, const std::vector<Frame>& frames, co
 int run_render(const Settings& settings) {
     Console console(settings.verbose, settings.warning_console);
     for (const std::string& text : settings.without_effect) console.line(fmt::format("warning: {}", text));
-    const std::vector<Frame> frames = frames_of(settings);
+    const std::vector<AnimationFrame> frames = frames_of(settings);
     if (settings.dump != DumpStage::none) return dump_stage(settings, frames.front(), console);
     stop_requested.store(false);
     std::signal(SIGINT, on_signal);

@@ -8,7 +8,7 @@
 
 namespace rb {
 
-LoadOptions load_options(const Settings& settings, const Frame& frame, Console& console,
+LoadOptions load_options(const Settings& settings, const AnimationFrame& frame, Console& console,
                          GeometryOracle& oracle) {
     LoadOptions options;
     options.input_file = settings.input_file;

@@ -38,7 +38,7 @@ ShellCommands::ShellCommands(const Settings& settings, Console& console) : setti
     }
 }
 
-std::string ShellCommands::expanded(std::string_view command, const Frame& frame) const {
+std::string ShellCommands::expanded(std::string_view command, const AnimationFrame& frame) const {
     const std::string number = frame.digits > 0 ? fmt::format("{:0{}}", frame.number, frame.digits) : "";
     std::string out;
     for (size_t i = 0; i < command.size(); ++i) {
@@ -72,7 +72,7 @@ std::string ShellCommands::expanded(std::string_view command, const Frame& frame
     return out;
 }
 
-AfterCommand ShellCommands::run(ShellMoment moment, const Frame& frame) const {
+AfterCommand ShellCommands::run(ShellMoment moment, const AnimationFrame& frame) const {
     const ShellCommand& command = settings_.commands[static_cast<size_t>(moment)];
     if (!settings_.allow_commands || command.line.empty()) return AfterCommand::go_on;
     const int status = std::system(expanded(command.line, frame).c_str());

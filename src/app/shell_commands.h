@@ -14,10 +14,10 @@ public:
     ShellCommands(const Settings& settings, Console& console);
 
     /// Runs the command of this moment, if there is one, with the frame's values in its `%` places.
-    AfterCommand run(ShellMoment moment, const Frame& frame) const;
+    AfterCommand run(ShellMoment moment, const AnimationFrame& frame) const;
 
 private:
-    std::string expanded(std::string_view command, const Frame& frame) const;
+    std::string expanded(std::string_view command, const AnimationFrame& frame) const;
 
     const Settings& settings_;
 };

@@ -136,9 +136,9 @@ void TokenStream::do_include(SourceRange where) {
         at = parser.peek().where;
         name = parser.file_name();
     }
-    const auto path = find_file(session_, name, FileType::include, at);
+    const auto path = find_file(session_, name, SoughtFile::include, at);
     if (!path) {
-        throw missing_file(session_, name, FileType::include, at,
+        throw missing_file(session_, name, SoughtFile::include, at,
                            fmt::format("Cannot open include file {}.", name));
     }
     open_file(session_.tokens_of(*path), cover(where, at), true);

@@ -31,10 +31,10 @@ void TokenStream::do_fopen(SourceRange) {
         parser.take();
     }
     if (file->mode == OpenFile::Mode::read) {
-        const auto path = find_file(session_, name, FileType::data, where);
+        const auto path = find_file(session_, name, SoughtFile::data, where);
         std::optional<std::string> text = path ? read_whole_file(*path) : std::nullopt;
         if (!text) {
-            throw missing_file(session_, name, FileType::data, where,
+            throw missing_file(session_, name, SoughtFile::data, where,
                                fmt::format("Cannot open user file {} (read).", name));
         }
         const uint32_t number = session_.sources.add(*path, std::move(*text));

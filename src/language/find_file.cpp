@@ -16,25 +16,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> extensions_of(FileType type) {
+std::vector<std::string> extensions_of(SoughtFile type) {
     switch (type) {
-        case FileType::scene:
+        case SoughtFile::scene:
             return {".pov", ".POV"};
-        case FileType::include:
+        case SoughtFile::include:
             return {".inc", ".INC"};
-        case FileType::font:
+        case SoughtFile::font:
             return {".ttf", ".TTF"};
-        case FileType::df3:
+        case SoughtFile::df3:
             return {".df3", ".DF3"};
-        case FileType::data:
-        case FileType::image:
+        case SoughtFile::data:
+        case SoughtFile::image:
             return {};
     }
     return {};
 }
 
 /// The name with the extensions that a file of this type may have, in the order in which they are tried.
-std::vector<std::string> candidates_of(const std::string& name, FileType type) {
+std::vector<std::string> candidates_of(const std::string& name, SoughtFile type) {
     std::vector<std::string> names;
     const std::vector<std::string> extensions = extensions_of(type);
     const std::string own = fs::path(name).extension().string();
@@ -50,7 +50,7 @@ bool is_file(const fs::path& path) {
     return fs::is_regular_file(path, error);
 }
 
-std::optional<std::string> find_exactly(const Session& session, const std::string& name, FileType type) {
+std::optional<std::string> find_exactly(const Session& session, const std::string& name, SoughtFile type) {
     if (!session.options.file_access) return std::nullopt;
     for (const std::string& candidate : candidates_of(name, type)) {
         if (is_file(candidate)) return candidate;
@@ -101,7 +101,7 @@ std::string portable(std::string name) {
     return name;
 }
 
-std::optional<std::string> find_leniently(const Session& session, const std::string& name, FileType type) {
+std::optional<std::string> find_leniently(const Session& session, const std::string& name, SoughtFile type) {
     if (!session.options.file_access) return std::nullopt;
     const fs::path meant(portable(name));
     for (const fs::path& tried : {meant, meant.filename()}) {
@@ -121,7 +121,7 @@ std::optional<std::string> find_leniently(const Session& session, const std::str
 
 }  // namespace
 
-std::optional<std::string> find_file(Session& session, const std::string& name, FileType type,
+std::optional<std::string> find_file(Session& session, const std::string& name, SoughtFile type,
                                      SourceRange where) {
     std::optional<std::string> path = find_exactly(session, name, type);
     if (!path && !session.options.strict && !name.empty()) {
@@ -141,10 +141,10 @@ bool names_file_type(std::string_view word) {
 }
 
 bool file_exists(const Session& session, const std::string& name) {
-    return find_exactly(session, name, FileType::data).has_value();
+    return find_exactly(session, name, SoughtFile::data).has_value();
 }
 
-SceneError missing_file(Session& session, const std::string& name, FileType type, SourceRange where,
+SceneError missing_file(Session& session, const std::string& name, SoughtFile type, SourceRange where,
                         std::string message) {
     session.diagnostics.report(
         {Severity::possible_error,

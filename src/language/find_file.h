@@ -8,13 +8,13 @@ namespace rb {
 
 struct Session;
 
-enum class FileType { scene, include, data, image, font, df3 };
+enum class SoughtFile { scene, include, data, image, font, df3 };
 
 /// The path of a file that a scene names at `where`: the working directory and the library paths, with the
 /// type's usual extensions (language spec 22). What is not found is looked for again as scenes from other
 /// systems mean it - backslashes, other case, and at last only the base name - with a warning, unless
 /// `LoadOptions::strict`. Tells `LoadOptions::file_used`.
-std::optional<std::string> find_file(Session& session, const std::string& name, FileType type,
+std::optional<std::string> find_file(Session& session, const std::string& name, SoughtFile type,
                                      SourceRange where);
 
 /// `png`, `ttf`, ...: a word behind which a file name stands.
@@ -24,7 +24,7 @@ bool names_file_type(std::string_view word);
 bool file_exists(const Session& session, const std::string& name);
 
 /// The error for a file that was not found: `message`, with a note of every place tried.
-[[nodiscard]] SceneError missing_file(Session& session, const std::string& name, FileType type,
+[[nodiscard]] SceneError missing_file(Session& session, const std::string& name, SoughtFile type,
                                       SourceRange where, std::string message);
 
 }  // namespace rb

@@ -57,9 +57,10 @@ void open_input(Session& session) {
     if (o.input_text) {
         text = *o.input_text;
     } else {
-        const auto path = find_file(session, o.input_file, FileType::scene, {});
+        const auto path = find_file(session, o.input_file, SoughtFile::scene, {});
         std::optional<std::string> read = path ? read_whole_file(*path) : std::nullopt;
-        if (!read) throw missing_file(session, o.input_file, FileType::scene, {}, "Cannot open input file.");
+        if (!read)
+            throw missing_file(session, o.input_file, SoughtFile::scene, {}, "Cannot open input file.");
         name = *path;
         text = std::move(*read);
     }
@@ -72,9 +73,9 @@ void open_input(Session& session) {
     if (!source.empty() && static_cast<unsigned char>(source[0]) >= 128) session.charset = Charset::utf8;
     session.stream.open_file(lex(number, source, session.words, lexing), {}, false);
     if (o.include_header) {
-        const auto path = find_file(session, *o.include_header, FileType::include, {});
+        const auto path = find_file(session, *o.include_header, SoughtFile::include, {});
         if (!path) {
-            throw missing_file(session, *o.include_header, FileType::include, {},
+            throw missing_file(session, *o.include_header, SoughtFile::include, {},
                                fmt::format("Cannot open include file {}.", *o.include_header));
         }
         session.stream.open_file(session.tokens_of(*path), {}, true);

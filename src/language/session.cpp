@@ -26,7 +26,7 @@ ReadContext Session::context() {
     context.read_texture = [](const Block& block, const ReadContext& c) { return read_texture(block, c); };
     context.read_object = [](const Block& block, const ReadContext& c) { return read_object(block, c); };
     context.find_file = [](const ReadContext& c, const std::string& name, SourceRange where) {
-        return find_file(*c.session, name, FileType::image, where);
+        return find_file(*c.session, name, SoughtFile::image, where);
     };
     return context;
 }

@@ -14,13 +14,13 @@ void skip_item(BlockReader& in) {
     const SourceRange where = in.where();
     const std::string name = in.file_name();
     Session& session = *in.context().session;
-    FileType type = FileType::image;
+    SoughtFile type = SoughtFile::image;
     std::string_view kind = "image file";
     if (word == "ttf") {
-        type = FileType::font;
+        type = SoughtFile::font;
         kind = "font file";
     } else if (word == "df3") {
-        type = FileType::df3;
+        type = SoughtFile::df3;
         kind = "density file";
     }
     if (find_file(session, name, type, where)) return;

@@ -30,7 +30,7 @@ void RayStream::start(std::span<const CameraRay> rays) {
     state_.next.clear();
     state_.power_slots.clear();
     state_.interiors.clear();
-    state_.slots.assign(rays.size(), Slot{});
+    state_.slots.assign(rays.size(), LightSlot{});
     state_.blockers.assign(program_.sample_count, no_leaf);
     state_.counters = {};
     if (!(1.0f >= program_.world.settings.adc_bailout)) return;
@@ -167,7 +167,7 @@ void RayStream::shade_sky(std::span<const uint32_t> misses) {
         Rgb weight = ray.weight;
         float alpha = ray.alpha;
         pass_fog(ray, endless, weight, alpha);
-        Slot& slot = state_.slots[ray.slot];
+        LightSlot& slot = state_.slots[ray.slot];
         slot.rgb += weight * seen.rgb;
         slot.transmit += alpha * seen.transmit;
     }

@@ -67,7 +67,7 @@ struct HitPoint {
 };
 
 /// Light added up for a pixel, or for a mirror whose light is raised to a power before it counts.
-struct Slot {
+struct LightSlot {
     Rgb rgb{0.0f};
     float transmit = 0;
 };
@@ -83,7 +83,7 @@ struct StreamState {
     std::vector<PathRay> rays;
     std::vector<PathRay> next;
     std::vector<HitPoint> hits;
-    std::vector<Slot> slots;
+    std::vector<LightSlot> slots;
     std::vector<PowerSlot> power_slots;
     InteriorPool interiors;
     std::vector<uint32_t> look_counts;  ///< all 0 between waves

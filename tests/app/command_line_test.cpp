@@ -151,7 +151,7 @@ TEST(Animation, FramesAndClocks) {
     const auto clocks = [](std::vector<std::string> words) {
         words.insert(words.begin(), "a.pov");
         std::vector<std::pair<int, double>> out;
-        for (const Frame& f : frames_of(parse(words))) out.emplace_back(f.number, f.clock);
+        for (const AnimationFrame& f : frames_of(parse(words))) out.emplace_back(f.number, f.clock);
         return out;
     };
     using List = std::vector<std::pair<int, double>>;
