@@ -10,16 +10,57 @@
 
 namespace rb {
 
+namespace {
+
+uint64_t seed_of(const Vec2& p) {
+    return mixed(mixed(0, std::bit_cast<uint64_t>(p.x)), std::bit_cast<uint64_t>(p.y));
+}
+
+}  // namespace
+
 void Sampler::sample(std::span<const Vec2> positions, std::vector<Radiance>& out) {
+    if (lens_.is_open()) return sample_through_lens(positions, out);
     batch_.clear();
     batch_.reserve(positions.size());
     for (const Vec2& p : positions) {
         CameraRay& ray = batch_.emplace_back();
         ray.exists = rays_.at(p.x, p.y, ray.ray);
-        ray.seed = mixed(mixed(0, std::bit_cast<uint64_t>(p.x)), std::bit_cast<uint64_t>(p.y));
+        ray.seed = seed_of(p);
     }
     out.resize(positions.size());
     integrator_.trace(batch_, out, counters_);
+}
+
+/// Chunk by chunk over all positions that want more samples still.
+void Sampler::sample_through_lens(std::span<const Vec2> positions, std::vector<Radiance>& out) {
+    std::vector<LensSum> sums(positions.size());
+    std::vector<size_t> open(positions.size());
+    for (size_t i = 0; i < open.size(); ++i) open[i] = i;
+    std::vector<Radiance> lights;
+    while (!open.empty()) {
+        batch_.clear();
+        for (const size_t i : open) {
+            const int first = sums[i].count;
+            for (int k = first; k < first + lens_.next_chunk(first); ++k) {
+                CameraRay& ray = batch_.emplace_back();
+                ray.exists = lens_.ray(rays_, positions[i].x, positions[i].y, k, ray.ray);
+                ray.seed = mixed(seed_of(positions[i]), static_cast<uint64_t>(k));
+            }
+        }
+        lights.resize(batch_.size());
+        integrator_.trace(batch_, lights, counters_);
+        size_t next = 0;
+        std::erase_if(open, [&](size_t i) {
+            const int last = sums[i].count + lens_.next_chunk(sums[i].count);
+            for (; sums[i].count < last; ++next) lens_.add(sums[i], batch_[next], lights[next]);
+            return lens_.is_settled(sums[i]);
+        });
+    }
+    out.resize(positions.size());
+    for (size_t i = 0; i < out.size(); ++i) {
+        const float scale = 1.0f / static_cast<float>(sums[i].count);
+        out[i] = {sums[i].light.rgb * scale, sums[i].light.transmit * scale};
+    }
 }
 
 namespace {

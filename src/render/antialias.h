@@ -1,5 +1,5 @@
 #pragma once
-#include "render/camera_rays.h"
+#include "render/lens.h"
 #include "render/sample_distance.h"
 
 #include <functional>
@@ -30,14 +30,17 @@ struct PixelBlock {
 /// Traces samples in batches at continuous picture positions.
 class Sampler {
 public:
-    Sampler(const Integrator& integrator, const CameraRays& rays, RayCounters& counters)
-        : integrator_(integrator), rays_(rays), counters_(counters) {}
+    Sampler(const Integrator& integrator, const CameraRays& rays, const Lens& lens, RayCounters& counters)
+        : integrator_(integrator), rays_(rays), lens_(lens), counters_(counters) {}
 
     void sample(std::span<const Vec2> positions, std::vector<Radiance>& out);
 
 private:
+    void sample_through_lens(std::span<const Vec2> positions, std::vector<Radiance>& out);
+
     const Integrator& integrator_;
     const CameraRays& rays_;
+    const Lens& lens_;
     RayCounters& counters_;
     std::vector<CameraRay> batch_;
 };

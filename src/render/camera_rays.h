@@ -16,6 +16,11 @@ public:
     /// length.
     bool at(double x, double y, Ray& ray) const;
 
+    /// Its direction before it is made unit length; absent where there is none.
+    std::optional<Vec3> direction(double x, double y) const {
+        return curved_direction((x + 0.5) / width_ - 0.5, 0.5 - (y + 0.5) / height_);
+    }
+
 private:
     /// For the kinds whose rays follow a curve.
     std::optional<Vec3> curved_direction(double x0, double y0) const;

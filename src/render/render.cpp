@@ -39,6 +39,7 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
 
     const Integrator integrator(world, options.shading);
     const CameraRays rays(world.camera, options.width, options.height);
+    const Lens lens(world.camera);
     const SampleDistance distance(world.settings.assumed_gamma, options.antialias.gamma);
     const std::vector<PixelBlock> blocks = blocks_of(region, options.block_size);
 
@@ -50,7 +51,7 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
         const size_t count = static_cast<size_t>(block.width()) * static_cast<size_t>(block.height());
         RayCounters counters;
         std::vector<Radiance> pixels(count);
-        Sampler sampler(integrator, rays, counters);
+        Sampler sampler(integrator, rays, lens, counters);
         render_block(sampler, block, options.antialias, distance, pixels);
 
         const std::lock_guard lock(mutex);
