@@ -4,16 +4,20 @@
 #include "app/create_ini.h"
 #include "app/geometry_oracle.h"
 #include "app/picture.h"
+#include "app/picture_state.h"
 #include "app/scene_input.h"
 #include "app/shell_commands.h"
 #include "app/statistics.h"
 #include "base/parallel.h"
 #include "language/load.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -101,6 +105,11 @@ bool load(const LoadOptions& options, Console& console, SourceMap& sources, Diag
     return loaded;
 }
 
+std::string picture_path(const Settings& settings, const AnimationFrame& frame) {
+    const std::string number = frame.digits > 0 ? fmt::format("{:0{}}", frame.number, frame.digits) : "";
+    return output_path(settings, number);
+}
+
 void write_picture(const RenderResult& result, const Scene& scene, const Settings& settings,
                    const AnimationFrame& frame) {
     const auto& assumed = scene.settings.assumed_gamma;
@@ -110,13 +119,41 @@ void write_picture(const RenderResult& result, const Scene& scene, const Setting
     format.compression = settings.compression;
     if (assumed)
         format.curve = is_linear(settings.file_type) ? Curve(GammaCurve{1.0}) : Curve(settings.file_gamma);
-    const std::string number = frame.digits > 0 ? fmt::format("{:0{}}", frame.number, frame.digits) : "";
-    write_image(picture_of(result.film, assumed, settings), format, output_path(settings, number));
+    write_image(picture_of(result.film, assumed, settings), format, picture_path(settings, frame));
+}
+
+/// What decides a picture besides the texts read.
+std::string identity_words(const Settings& settings, const AnimationFrame& frame) {
+    std::string words = fmt::format("frame {} clock {}", frame.number, frame.clock);
+    for (const auto& [name, value] : settings.given) {
+        constexpr std::array<std::string_view, 4> free{"continue_trace", "work_threads", "verbose",
+                                                       "display"};
+        if (std::ranges::find(free, name) == free.end()) words += fmt::format("\n{}={}", name, value);
+    }
+    return words;
+}
+
+/// Takes up what an interrupted run left, if that is asked for and fits.
+void prepare(PictureState& state, uint64_t identity, const Settings& settings, Console& console) {
+    state.begin(identity);
+    if (!state.exists()) return;
+    if (!settings.continue_trace) return state.remove();
+    if (!state.load(identity)) {
+        console.line("warning: the interrupted picture was another one: it is rendered from the start");
+        state.remove();
+    }
 }
 
 /// Reads, compiles, renders and writes one picture.
 int render_frame(const Settings& settings, const AnimationFrame& frame, Console& console) {
     const RenderOptions options = render_options(settings);
+    const std::string path = picture_path(settings, frame);
+    const bool keeps_state = settings.output_to_file && path != "-";
+    PictureState state(path);
+    if (keeps_state && settings.continue_trace && !state.exists() && std::filesystem::exists(path)) {
+        console.line("File already rendered and continue requested; skipping.");
+        return exit_done;
+    }
     Statistics statistics;
     auto start = std::chrono::steady_clock::now();
     console.banner("Parsing");
@@ -135,16 +172,21 @@ int render_frame(const Settings& settings, const AnimationFrame& frame, Console&
     console.report(diagnostics, sources, reported);
     statistics.compile_seconds = seconds_since(start);
 
+    if (keeps_state) prepare(state, identity_of(sources, identity_words(settings, frame)), settings, console);
+
     start = std::chrono::steady_clock::now();
     console.banner("Rendering");
     is_rendering.store(true);
-    const RenderResult result = render(world, options, stop_requested,
-                                       [&](size_t done, size_t total) { console.progress(done, total); });
+    const auto progress = [&](size_t done, size_t total) { console.progress(done, total); };
+    const RenderResult result =
+        render(world, options, stop_requested, progress, keeps_state ? &state : nullptr);
     console.end_progress();
     statistics.render_seconds = seconds_since(start);
 
     start = std::chrono::steady_clock::now();
+    if (keeps_state && !result.complete) state.keep(result.film);
     if (settings.output_to_file) write_picture(result, scene, settings, frame);
+    if (keeps_state && result.complete) state.remove();
     is_rendering.store(false);
     statistics.write_seconds = seconds_since(start);
     if (settings.stats_file) write_statistics(statistics, world, result, settings);

@@ -56,6 +56,7 @@ struct Settings {
     int threads = 0;
 
     bool output_to_file = true;
+    bool continue_trace = false;
     std::string output_file;
     FileType file_type = FileType::png;
     int bits_per_color = 8;

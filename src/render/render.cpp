@@ -28,7 +28,7 @@ void add(RayCounters& sum, const RayCounters& part) {
 }  // namespace
 
 RenderResult render(const World& world, const RenderOptions& options, const std::atomic<bool>& stop,
-                    const std::function<void(size_t, size_t)>& progress) {
+                    const std::function<void(size_t, size_t)>& progress, BlockLog* log) {
     const PixelBlock& region = options.region;
     const size_t total = static_cast<size_t>(region.width()) * static_cast<size_t>(region.height());
 
@@ -49,6 +49,13 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
         if (stop.load(std::memory_order_relaxed)) return;
         const PixelBlock& block = blocks[i];
         const size_t count = static_cast<size_t>(block.width()) * static_cast<size_t>(block.height());
+        if (log) {
+            const std::lock_guard lock(mutex);
+            if (log->restore(block, result.film)) {
+                done += count;
+                return;
+            }
+        }
         RayCounters counters;
         std::vector<Radiance> pixels(count);
         Sampler sampler(integrator, rays, lens, counters);
@@ -60,6 +67,7 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
             std::copy_n(row, block.width(), &result.film.at(block.x0, y));
         }
         add(result.counters, counters);
+        if (log) log->finished(block, result.film);
         done += count;
         if (progress) progress(done, total);
     });

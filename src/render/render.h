@@ -38,9 +38,18 @@ struct RenderResult {
     bool complete = true;  ///< false if `stop` ended it early; finished blocks are in the film
 };
 
+/// Takes note of finished blocks, and knows some from before. Calls come one at a time.
+class BlockLog {
+public:
+    virtual ~BlockLog() = default;
+    /// Fills in a block that is known; false if it is not.
+    virtual bool restore(const PixelBlock& block, Film& film) = 0;
+    virtual void finished(const PixelBlock& block, const Film& film) = 0;
+};
+
 /// Renders a world. `progress(done, total)` counts pixels, is called from any thread, one call at a time.
-/// `stop` may be set by a signal handler: blocks that have begun are finished.
+/// `stop` may be set by a signal handler: blocks that have begun are finished. `log` may be null.
 RenderResult render(const World& world, const RenderOptions& options, const std::atomic<bool>& stop,
-                    const std::function<void(size_t done, size_t total)>& progress);
+                    const std::function<void(size_t done, size_t total)>& progress, BlockLog* log = nullptr);
 
 }  // namespace rb
