@@ -43,7 +43,8 @@ struct LoadOptions {
     /// Whether #fopen may write to this path; absent: it may.
     std::function<bool(const std::string& path)> may_write;
     bool file_access = true;  ///< false: the scene neither finds, reads nor writes files (fuzzing)
-    bool number_runs = true;  ///< false: read long lists token by token (slow; for tests)
+    bool quick_expressions = true;  ///< false: leave every expression to the grammar (slow; for tests)
+    bool number_runs = true;        ///< false: read long lists token by token (slow; for tests)
 };
 
 /// Reads a scene into `out`; false if errors were reported.

@@ -1,4 +1,5 @@
 #pragma once
+#include "language/arithmetic.h"
 #include "language/function_builder.h"
 #include "language/parser.h"
 
@@ -7,21 +8,6 @@
 #include <vector>
 
 namespace rb {
-
-enum class Operator {
-    add,
-    subtract,
-    multiply,
-    divide,
-    less,
-    less_equal,
-    equal,
-    unequal,
-    greater_equal,
-    greater,
-    both,
-    either
-};
 
 /// What the actions of the token grammar work on: operands, open calls, open blocks.
 class ParseState {
@@ -33,6 +19,7 @@ public:
 
     // Operands.
     void push(Value value, SourceRange where);
+    void push(Operand operand) { operands_.push_back(std::move(operand)); }
     void push_name(const Produced& token);
     void push_constant(const Produced& token);
     void push_text(const Produced& token);

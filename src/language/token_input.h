@@ -1,7 +1,9 @@
 #pragma once
 #include "language/session.h"
 
+#include <algorithm>
 #include <array>
+#include <exception>
 
 #include <tao/pegtl.hpp>
 
@@ -28,6 +30,8 @@ public:
     TokenInput(const TokenInput&) = delete;
     TokenInput& operator=(const TokenInput&) = delete;
     ~TokenInput() {
+        // An error makes the grammar's rules rewind, but what they took is gone.
+        if (std::uncaught_exceptions() > exceptions_) at_ = std::max(at_, taken_);
         while (produced_ > at_) session_.stream.give_back(std::move(ring_[--produced_ % kept]));
     }
 
@@ -52,7 +56,7 @@ public:
         return token.kind != Tok::number && token.kind != Tok::hash && token.kind != Tok::run &&
                token.word == word_of(keyword) && token.kind == Words::kind(token.word);
     }
-    void bump() { ++at_; }
+    void bump() { taken_ = std::max(taken_, ++at_); }
     const Produced& token(size_t number) const { return ring_[number % kept]; }
     const Produced& previous() const { return ring_[(at_ - 1) % kept]; }
     const Produced& current() const { return ring_[at_ % kept]; }
@@ -62,6 +66,19 @@ public:
         session_.stream.locked = false;
         peek();
         session_.stream.locked = locked;
+    }
+    /// A plain expression without the grammar; false: nothing was read.
+    template <class State>
+    bool take_quick(bool full, State& state) {
+        if (!steps_back()) return false;
+        Operand operand;
+        TokenStream& stream = session_.stream;
+        if (!(full ? stream.quick_full(operand) : stream.quick_sum(operand))) return false;
+        ring_[at_ % kept] = {Tok::number, 0, 0, operand.where, {}};
+        bump();
+        produced_ = at_;
+        state.push(std::move(operand));
+        return true;
     }
     void open_run() {
         const SourceRange where = peek().where;
@@ -116,6 +133,13 @@ private:
     static constexpr size_t kept = 16;
     static constexpr int nesting_limit = 250;
 
+    /// True if the stream stands at the current token (again).
+    bool steps_back() {
+        if (at_ == produced_) return true;
+        if (at_ + 1 != produced_ || !session_.stream.unread(ring_[at_ % kept])) return false;
+        --produced_;
+        return true;
+    }
     Produced& last() { return ring_[(produced_ - 1) % kept]; }
     void produce() {
         ring_[produced_ % kept] = session_.stream.next();
@@ -126,6 +150,8 @@ private:
     std::array<Produced, kept> ring_;
     size_t at_ = 0;
     size_t produced_ = 0;
+    size_t taken_ = 0;  ///< most that at_ has been
+    int exceptions_ = std::uncaught_exceptions();
 };
 
 }  // namespace rb
