@@ -125,6 +125,19 @@ struct quick_expression {
     }
 };
 
+/// Items of a block that the input can read by itself, each with the comma behind it; there may be none.
+struct quick_items {
+    using rule_t = quick_items;
+    using subs_t = empty_list;
+    template <apply_mode, rewind_mode, template <class...> class, template <class...> class, class Input,
+              class State>
+    static bool match(Input& in, State& state) {
+        while (in.take_quick_item(state)) {
+        }
+        return true;
+    }
+};
+
 /// A question to the state, by name: `Question::ask(state)`.
 template <class Question>
 struct ask {

@@ -74,7 +74,7 @@ bool QuickExpression::has_ended(std::initializer_list<Tok> ends) const {
             return false;
         case Tok::word: {
             const uint32_t word = tokens_[at_].aux;
-            if (Words::is_keyword(word)) return true;
+            if (Words::is_keyword(word)) return !leaves_channels_ || Words::kind(word) != Tok::component;
             const Place* place = session_.symbols.look(word);
             return !place || !std::holds_alternative<MacroPtr>(place->value());
         }

@@ -21,6 +21,9 @@ public:
     bool read_sum(std::initializer_list<Tok> ends);
     bool read_full(std::initializer_list<Tok> ends);
 
+    /// `red 0.5` behind a colour goes on with it.
+    void leave_channels() { leaves_channels_ = true; }
+
     const Terms& terms() const { return value_.terms; }
     SourceRange where() const { return {file_.file, value_.begin, value_.end}; }
     /// The token behind the expression.
@@ -73,6 +76,7 @@ private:
     uint32_t at_;
     uint32_t end_;
     int depth_ = 0;
+    bool leaves_channels_ = false;
     Value value_;
     // The last identifier read, and the token behind it: it is the whole expression if that is all there is.
     const Place* name_ = nullptr;

@@ -45,7 +45,7 @@ bool TokenStream::unread(const Produced& token) {
     return true;
 }
 
-bool TokenStream::quick(bool full, std::initializer_list<Tok> ends, Operand& out) {
+bool TokenStream::quick(Level level, std::initializer_list<Tok> ends, Operand& out) {
     if (!reads_plainly()) return false;
     Frame& frame = top();
     uint32_t end = frame.end;
@@ -54,7 +54,8 @@ bool TokenStream::quick(bool full, std::initializer_list<Tok> ends, Operand& out
     }
     if (frame.at >= end) return false;
     QuickExpression expression(session_, *frame.tokens, frame.at, end);
-    if (!(full ? expression.read_full(ends) : expression.read_sum(ends))) return false;
+    if (level == Level::color) expression.leave_channels();
+    if (!(level == Level::sum ? expression.read_sum(ends) : expression.read_full(ends))) return false;
     out.value = expression.terms();
     out.place = expression.place();
     out.where = expression.where();
@@ -70,6 +71,64 @@ bool TokenStream::quick_take(Tok kind) {
     ++frame.at;
     ++produced_;
     return true;
+}
+
+Tok TokenStream::quick_peek() const {
+    if (!reads_plainly() || top().at >= top().end) return Tok::end;
+    return top().tokens->tokens[top().at].kind;
+}
+
+/// Nothing happens when the token is produced.
+bool TokenStream::is_plain(const Token& token) const {
+    if (token.kind == Tok::hash || token.kind == Tok::invalid) return false;
+    if (token.kind != Tok::word || Words::is_keyword(token.aux)) return true;
+    const Place* place = session_.symbols.look(token.aux);
+    return !place || (place->slot->deprecated.empty() && !std::holds_alternative<MacroPtr>(place->value()));
+}
+
+bool TokenStream::quick_word(Produced& out) {
+    if (!reads_plainly()) return false;
+    Frame& frame = top();
+    if (frame.at + 1 >= frame.end) return false;
+    const Token* const tokens = frame.tokens->tokens.data() + frame.at;
+    if (tokens[0].kind != Tok::word || Words::kind(tokens[0].aux) != Tok::keyword) return false;
+    switch (static_cast<Keyword>(tokens[0].aux)) {
+        case Keyword::gamma:
+        case Keyword::assumed_gamma:
+        case Keyword::pwr:
+        case Keyword::xyz:
+            return false;
+        default:
+            break;
+    }
+    if (tokens[1].kind == Tok::lbrace || !is_plain(tokens[1])) return false;
+    out = {Tok::keyword, tokens[0].aux, 0, frame.tokens->range(tokens[0]), {}};
+    ++frame.at;
+    ++produced_;
+    return true;
+}
+
+bool TokenStream::quick_color(Produced& first, Produced& word, Operand& base) {
+    if (!reads_plainly()) return false;
+    Frame& frame = top();
+    const uint32_t start = frame.at;
+    const auto take = [&](Tok kind, Produced& out) {
+        if (frame.at >= frame.end) return false;
+        const Token& token = frame.tokens->tokens[frame.at];
+        if (token.kind != Tok::word || Words::kind(token.aux) != kind) return false;
+        out = {kind, token.aux, 0, frame.tokens->range(token), {}};
+        ++frame.at;
+        ++produced_;
+        return true;
+    };
+    const bool has_color = take(Tok::color, first);
+    if (take(Tok::rgb, word)) {
+        if (!has_color) first = word;
+        if (quick(Level::color, {}, base)) return true;
+    }
+    produced_ -= frame.at - start;
+    frame.at = start;
+    return false;
 }
 
 double TokenStream::condition() {

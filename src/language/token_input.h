@@ -70,7 +70,7 @@ public:
     /// A plain expression without the grammar; false: nothing was read.
     template <class State>
     bool take_quick(bool full, State& state) {
-        if (!steps_back()) return false;
+        if (at_ != produced_ && !(may_begin_quick(ring_[at_ % kept].kind) && steps_back())) return false;
         Operand operand;
         TokenStream& stream = session_.stream;
         if (!(full ? stream.quick_full(operand) : stream.quick_sum(operand))) return false;
@@ -78,6 +78,31 @@ public:
         bump();
         produced_ = at_;
         state.push(std::move(operand));
+        return true;
+    }
+    /// An item of a block that is plain, and the comma behind it; false: nothing was read.
+    template <class State>
+    bool take_quick_item(State& state) {
+        if (at_ != produced_ && !(may_be_quick_item() && steps_back())) return false;
+        TokenStream& stream = session_.stream;
+        Produced word;
+        Operand operand;
+        if (stream.quick_sum(operand)) {
+            state.push(std::move(operand));
+            state.add_value();
+        } else if (stream.quick_word(word)) {
+            state.add_word(word);
+        } else {
+            Produced first;
+            if (!state.colors_allowed() || !stream.quick_color(first, word, operand)) return false;
+            state.open_color(first.where);
+            if (first.kind == Tok::color) state.add_color_word();
+            state.set_color_word(word);
+            state.push(std::move(operand));
+            state.add_rgb_base();
+            state.add_color();
+        }
+        stream.quick_take(Tok::comma);
         return true;
     }
     void open_run() {
@@ -133,6 +158,28 @@ private:
     static constexpr size_t kept = 16;
     static constexpr int nesting_limit = 250;
 
+    bool may_be_quick_item() const {
+        const Tok kind = ring_[at_ % kept].kind;
+        if (kind == Tok::keyword) return session_.stream.quick_peek() != Tok::lbrace;
+        return kind == Tok::color || kind == Tok::rgb || may_begin_quick(kind);
+    }
+    static bool may_begin_quick(Tok kind) {
+        switch (kind) {
+            case Tok::number:
+            case Tok::name:
+            case Tok::constant:
+            case Tok::call_one:
+            case Tok::call_many:
+            case Tok::lparen:
+            case Tok::langle:
+            case Tok::plus:
+            case Tok::minus:
+            case Tok::bang:
+                return true;
+            default:
+                return false;
+        }
+    }
     /// True if the stream stands at the current token (again).
     bool steps_back() {
         if (at_ == produced_) return true;

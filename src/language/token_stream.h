@@ -41,8 +41,18 @@ public:
 
     /// Reads a plain numeric expression that comes next (see QuickExpression) and that one of `ends` follows,
     /// if any are given; false: nothing was read.
-    bool quick_sum(Operand& out, std::initializer_list<Tok> ends = {}) { return quick(false, ends, out); }
-    bool quick_full(Operand& out, std::initializer_list<Tok> ends = {}) { return quick(true, ends, out); }
+    bool quick_sum(Operand& out, std::initializer_list<Tok> ends = {}) {
+        return quick(Level::sum, ends, out);
+    }
+    bool quick_full(Operand& out, std::initializer_list<Tok> ends = {}) {
+        return quick(Level::full, ends, out);
+    }
+    /// The same for an item of a block: a word that stands alone, and [ "color" ] "rgb..." full without channels.
+    bool quick_word(Produced& out);
+    bool quick_color(Produced& first, Produced& word, Operand& base);
+    bool quick_take(Tok kind);
+    /// Kind of the next token in the file, as far as nothing comes before it.
+    Tok quick_peek() const;
 
     /// True for a `#` or macro name that was handed on as a token but would run now.
     bool is_pending(const Produced& token) const;
@@ -71,6 +81,7 @@ public:
     size_t include_depth() const;
 
 private:
+    enum class Level { sum, full, color };
     struct Cond {
         enum class Kind { if_, while_, for_, switch_ };
         Kind kind = Kind::if_;
@@ -108,8 +119,8 @@ private:
     bool take_semicolon();
     /// True if the next token comes from the frame on top, with nothing that waits before it.
     bool reads_plainly() const;
-    bool quick(bool full, std::initializer_list<Tok> ends, Operand& out);
-    bool quick_take(Tok kind);
+    bool quick(Level level, std::initializer_list<Tok> ends, Operand& out);
+    bool is_plain(const Token& token) const;
     bool quick_argument(Operand& out);
     bool quick_arguments(const Macro& macro, std::vector<Operand>& arguments);
     /// "(" full ")"
