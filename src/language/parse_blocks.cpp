@@ -120,6 +120,7 @@ void ParseState::close_inner_block(SourceRange where) {
 
 Item& ParseState::new_item(Item::Kind kind, SourceRange where) {
     blocks_.back().same_shape = 0;
+    if (open().items.empty()) open().items.reserve(6);
     Item& item = open().items.emplace_back();
     item.kind = kind;
     item.where = where;

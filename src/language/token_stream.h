@@ -47,7 +47,8 @@ public:
     bool quick_full(Operand& out, std::initializer_list<Tok> ends = {}) {
         return quick(Level::full, ends, out);
     }
-    /// The same for an item of a block: a word that stands alone, and [ "color" ] "rgb..." full without channels.
+    /// The same for an item of a block: a word that stands alone, and [ "color" ] "rgb..." full without
+    /// channels.
     bool quick_word(Produced& out);
     bool quick_color(Produced& first, Produced& word, Operand& base);
     bool quick_take(Tok kind);

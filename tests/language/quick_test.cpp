@@ -18,7 +18,9 @@ std::string all_of(const LoadOptions& options) {
     Reading reading = read_scene(*options.input_text, options);
     SourceMap sources;
     Diagnostics diagnostics;
-    return dump_blocks(options, sources, diagnostics) + dump(reading.scene) + reading.debug + reading.report;
+    const std::string tokens = dump_tokens(options, sources, diagnostics);
+    return tokens + dump_blocks(options, sources, diagnostics) + dump(reading.scene) + reading.debug +
+           reading.report;
 }
 
 void expect_same(LoadOptions options, const std::string& text) {
