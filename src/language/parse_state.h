@@ -67,6 +67,7 @@ public:
     /// The innermost open block, or null.
     const Block* open_block() const { return blocks_.empty() ? nullptr : blocks_.back().block.get(); }
     void add_value();
+    void add_terms(const Terms& terms, SourceRange where);
     void add_color();
     void add_run(const Produced& run);
     void add_word(const Produced& word);
@@ -127,7 +128,7 @@ private:
 
     Terms numeric(const Operand& operand) const;
     Item& new_item(Item::Kind kind, SourceRange where);
-    void add_numbers(const Operand& operand);
+    void add_numbers(const Terms& terms, SourceRange where);
     Block& open() { return *blocks_.back().block; }
 
     Session& session_;

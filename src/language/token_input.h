@@ -88,8 +88,7 @@ public:
         Produced word;
         Operand operand;
         if (stream.quick_sum(operand)) {
-            state.push(std::move(operand));
-            state.add_value();
+            state.add_terms(*operand.terms(), operand.where);
         } else if (stream.quick_word(word)) {
             state.add_word(word);
         } else {
