@@ -102,15 +102,17 @@ for _ in $(seq "$runs"); do
     for scene in empty "${scenes[@]}"; do
         measure povray "$scene" povray
         measure renderboy "$scene" "$renderboy" --stats "$work/stats.json"
-        sed -n 's/.*"parse_cpu": *\([0-9.]*\).*/\1/p' "$work/stats.json" >> "$work/reading-$scene.times"
+        awk -F '[:,]' '/"parse_cpu"/ {cpu = $2} /"parse_peak_memory_kib"/ {print cpu + 0, $2 / 1024}' "$work/stats.json" \
+            >> "$work/reading-$scene.times"
     done
 done
-printf '%-10s %9s %9s %9s %9s %7s %12s %12s\n' scene MB povray renderboy reading ratio povray_MB renderboy_MB
+printf '%-8s %6s %8s %10s %8s %6s %10s %13s %11s\n' scene MB povray renderboy reading ratio povray_MB renderboy_MB reading_MB
 for scene in "${scenes[@]}"; do
     echo "$scene $(wc -c < "$work/$scene.pov") $(median "povray-$scene" 1) $(median povray-empty 1)" \
         "$(median "renderboy-$scene" 1) $(median renderboy-empty 1) $(median "reading-$scene" 1) $(median reading-empty 1)" \
-        "$(median "povray-$scene" 2) $(median "renderboy-$scene" 2)"
+        "$(median "povray-$scene" 2) $(median "renderboy-$scene" 2) $(median "reading-$scene" 2)"
 done | awk '{
     reading = $7 - $8
-    printf "%-10s %9.1f %9.3f %9.3f %9.3f %7.2f %12.0f %12.0f\n", $1, $2 / 1e6, $3 - $4, $5 - $6, reading, ($3 - $4) / reading, $9, $10
+    printf "%-8s %6.1f %8.3f %10.3f %8.3f %6.2f %10.0f %13.0f %11.0f\n", \
+        $1, $2 / 1e6, $3 - $4, $5 - $6, reading, ($3 - $4) / reading, $9, $10, $11
 }'
