@@ -30,16 +30,19 @@ public:
                 diagnostics_.unsupported(object->where, "cutaway_textures",
                                          "a cut shows the first texture found, not their mean");
             }
-            for (const ObjectPtr& child : *csg->children) this->object(child);
+            // Copies of a compound share their children.
+            if (is_new(csg->children)) {
+                for (const ObjectPtr& child : *csg->children) this->object(child);
+            }
         }
-        if (const auto* light = std::get_if<LightPtr>(&object->geometry)) {
+        if (const auto* light = std::get_if<LightPtr>(&object->geometry); light && is_new(*light)) {
             this->object((*light)->looks_like);
             this->object((*light)->projected_through);
             if ((*light)->projected_through) {
                 diagnostics_.unsupported((*light)->where, "projected_through", "the light shines everywhere");
             }
         }
-        if (const auto* shape = std::get_if<ShapePtr>(&object->geometry); shape && *shape) {
+        if (const auto* shape = std::get_if<ShapePtr>(&object->geometry); shape && *shape && is_new(*shape)) {
             for (const TexturePtr& texture : (*shape)->textures()) layers(texture);
         }
     }
@@ -53,7 +56,7 @@ public:
     }
 
 private:
-    /// What nobody else holds is met once.
+    /// What nobody else holds is met once, if that is true of everything on the way to it.
     template <class T>
     bool is_new(const std::shared_ptr<const T>& thing) {
         return thing.use_count() == 1 || seen_.insert(thing.get()).second;
