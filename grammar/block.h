@@ -45,7 +45,7 @@ struct stray : is_not<Tok::rbrace, Tok::rbracket> {};
 /// items = { item [","] }
 struct item : sor<packed_run, color_item, srgb_gamma, block, value_item, function_item, function_image, tuple,
                   plain_word, entry, stray> {};
-struct items : star<item, opt_comma> {};
+struct items : seq<quick_items, star<item, opt_comma, quick_items>> {};
 
 /// What follows the keyword of a statement.
 struct statement_open : is<Tok::lbrace> {};

@@ -96,7 +96,8 @@ struct term : seq<factor, star<sor<multiplied, divided>>> {};
 /// sum = term { ("+" | "-") term }
 struct added : if_must<is<Tok::plus>, term> {};
 struct subtracted : if_must<is<Tok::minus>, term> {};
-struct sum : seq<term, star<sor<added, subtracted>>> {};
+struct any_sum : seq<term, star<sor<added, subtracted>>> {};
+struct sum : sor<quick_expression<false>, any_sum> {};
 
 /// rel = sum { ("<" | "<=" | "=" | "!=" | ">=" | ">") sum }
 struct less : if_must<is<Tok::langle>, sum> {};
@@ -105,7 +106,7 @@ struct equal : if_must<is<Tok::equals>, sum> {};
 struct unequal : if_must<is<Tok::not_equal>, sum> {};
 struct greater_or_equal : if_must<is<Tok::greater_equal>, sum> {};
 struct greater : if_must<is<Tok::rangle>, sum> {};
-struct rel : seq<sum, star<sor<less, less_or_equal, equal, unequal, greater_or_equal, greater>>> {};
+struct rel : seq<any_sum, star<sor<less, less_or_equal, equal, unequal, greater_or_equal, greater>>> {};
 
 /// logical = rel { ("&" | "|") rel }
 struct both : if_must<is<Tok::ampersand>, rel> {};
@@ -115,7 +116,7 @@ struct logical : seq<rel, star<sor<both, either>>> {};
 /// full = logical [ "?" full ":" full ]
 struct choice_colon : is<Tok::colon> {};
 struct choice : if_must<is<Tok::question>, nested<full, must<choice_colon>>, nested<full>> {};
-struct full : seq<logical, opt<choice>> {};
+struct full : sor<quick_expression<true>, seq<logical, opt<choice>>> {};
 
 /// color = [ "color" ] [ base ] { channel }        base only first, channels in any order and number
 /// base = ( "rgb" | "rgbf" | ... ) full | full     the bare form only behind "color"

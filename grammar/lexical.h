@@ -82,6 +82,7 @@ struct illegal : any {};
 /// file = { ignored | token } end
 struct token
     : sor<word, number, number_run, text, open_text, less_equal, greater_equal, not_equal, single_sign> {};
-struct file : until<eof, sor<ignored, token, illegal>> {};
+struct piece : sor<ignored, token, illegal> {};
+struct file : until<eof, piece> {};
 
 }  // namespace rb::lexical

@@ -112,6 +112,32 @@ struct nested {
     }
 };
 
+/// A plain expression that the input can read by itself (TokenInput::take_quick); the rules beside it read
+/// any.
+template <bool full>
+struct quick_expression {
+    using rule_t = quick_expression;
+    using subs_t = empty_list;
+    template <apply_mode, rewind_mode, template <class...> class, template <class...> class, class Input,
+              class State>
+    static bool match(Input& in, State& state) {
+        return in.take_quick(full, state);
+    }
+};
+
+/// Items of a block that the input can read by itself, each with the comma behind it; there may be none.
+struct quick_items {
+    using rule_t = quick_items;
+    using subs_t = empty_list;
+    template <apply_mode, rewind_mode, template <class...> class, template <class...> class, class Input,
+              class State>
+    static bool match(Input& in, State& state) {
+        while (in.take_quick_item(state)) {
+        }
+        return true;
+    }
+};
+
 /// A question to the state, by name: `Question::ask(state)`.
 template <class Question>
 struct ask {

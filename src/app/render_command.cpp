@@ -155,6 +155,7 @@ int render_frame(const Settings& settings, const AnimationFrame& frame, Console&
         return exit_done;
     }
     Statistics statistics;
+    const double cpu_before = cpu_seconds();
     auto start = std::chrono::steady_clock::now();
     console.banner("Parsing");
     SourceMap sources;
@@ -165,6 +166,8 @@ int render_frame(const Settings& settings, const AnimationFrame& frame, Console&
         return exit_error;
     }
     statistics.parse_seconds = seconds_since(start);
+    statistics.parse_cpu_seconds = cpu_seconds() - cpu_before;
+    statistics.parse_peak_memory = peak_memory();
 
     start = std::chrono::steady_clock::now();
     const size_t reported = diagnostics.all().size();

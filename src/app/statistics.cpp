@@ -12,22 +12,39 @@
 
 namespace rb {
 
-void write_statistics(const Statistics& statistics, const World& world, const RenderResult& result,
-                      const Settings& settings) {
+namespace {
+
+rusage usage() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
+    return usage;
+}
+
+double seconds(const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
+
+}  // namespace
+
+double cpu_seconds() {
+    const rusage used = usage();
+    return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+long peak_memory() { return usage().ru_maxrss; }
+
+void write_statistics(const Statistics& statistics, const World& world, const RenderResult& result,
+                      const Settings& settings) {
     const nlohmann::ordered_json json{{"scene", settings.input_file},
                                       {"width", settings.width},
                                       {"height", settings.height},
                                       {"seconds",
                                        {{"parse", statistics.parse_seconds},
+                                        {"parse_cpu", statistics.parse_cpu_seconds},
                                         {"compile", statistics.compile_seconds},
                                         {"render", statistics.render_seconds},
                                         {"write", statistics.write_seconds},
-                                        {"cpu", seconds(usage.ru_utime) + seconds(usage.ru_stime)}}},
+                                        {"cpu", cpu_seconds()}}},
                                       {"world",
                                        {{"leaves", world.geometry->leaves().size()},
                                         {"surfaces", world.surfaces.size()},
@@ -37,7 +54,8 @@ void write_statistics(const Statistics& statistics, const World& world, const Re
                                         {"reflected", result.counters.reflected},
                                         {"refracted", result.counters.refracted},
                                         {"shadow", result.counters.shadow}}},
-                                      {"peak_memory_kib", usage.ru_maxrss},
+                                      {"parse_peak_memory_kib", statistics.parse_peak_memory},
+                                      {"peak_memory_kib", peak_memory()},
                                       {"complete", result.complete}};
     const std::string text = json.dump(2) + "\n";
     if (*settings.stats_file == "-") {

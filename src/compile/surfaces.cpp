@@ -31,7 +31,7 @@ size_t mix(size_t seed, size_t value) { return (seed ^ value) * 0x9e3779b97f4a7c
 
 size_t hash_of(const WornTexture& worn) {
     size_t h = std::hash<const void*>{}(worn.layers.get());
-    for (const Vec3& row : worn.world_from_texture.forward.row) {
+    for (const Vec3& row : worn.world_from_texture->forward.row) {
         for (int i = 0; i < 3; ++i) h = mix(h, std::hash<double>{}(row[i]));
     }
     return h;

@@ -243,36 +243,36 @@ int component_index(Keyword word) {
     }
 }
 
-Value constant_value(const Session& session, Keyword word) {
+Terms constant_value(const Session& session, Keyword word) {
     switch (word) {
         case Keyword::pi_:
-            return real(pi);
+            return {{pi}, 1};
         case Keyword::true_:
         case Keyword::yes:
         case Keyword::on:
-            return real(1);
+            return {{1}, 1};
         case Keyword::x:
-            return vector({1, 0, 0});
+            return {{1, 0, 0}, 3};
         case Keyword::y:
-            return vector({0, 1, 0});
+            return {{0, 1, 0}, 3};
         case Keyword::z:
-            return vector({0, 0, 1});
+            return {{0, 0, 1}, 3};
         case Keyword::t:
-            return Terms{{0, 0, 0, 1}, 4};
+            return {{0, 0, 0, 1}, 4};
         case Keyword::u:
-            return Terms{{1, 0}, 2};
+            return {{1, 0}, 2};
         case Keyword::v:
-            return Terms{{0, 1}, 2};
+            return {{0, 1}, 2};
         case Keyword::clock:
-            return real(static_cast<double>(static_cast<float>(session.options.clock)));
+            return {{static_cast<double>(static_cast<float>(session.options.clock))}, 1};
         case Keyword::clock_on:
-            return real(session.options.clock_on ? 1 : 0);
+            return {{session.options.clock_on ? 1.0 : 0.0}, 1};
         case Keyword::version:
-            return real(session.language_version / 100.0);
+            return {{session.language_version / 100.0}, 1};
         case Keyword::now:
-            return real(now_days());
+            return {{now_days()}, 1};
         default:
-            return real(0);
+            return {{0}, 1};
     }
 }
 

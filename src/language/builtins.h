@@ -12,7 +12,7 @@ std::string_view usage_of(Keyword function);
 int component_index(Keyword word);
 
 /// `pi`, `x`, `clock`, ...
-Value constant_value(const Session& session, Keyword word);
+Terms constant_value(const Session& session, Keyword word);
 
 /// A built-in float, vector or string function (spec: language 8, 9).
 Value call_builtin(Session& session, Keyword word, std::span<const Operand> arguments, SourceRange where);

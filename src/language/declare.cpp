@@ -52,10 +52,16 @@ Place TokenStream::raw_element(const Place& array, SourceRange where) {
         size_t index = 0;
         for (const size_t size : elements->sizes) {
             raw_expect(Tok::lbracket, "[");
-            Parser parser(session_);
-            const Operand subscript = parser.sum();
-            index = index * size + checked_subscript(subscript, size);
-            parser.expect(Tok::rbracket, "]");
+            Operand subscript;
+            if (quick_sum(subscript, {Tok::rbracket})) {
+                index = index * size + checked_subscript(subscript, size);
+                raw_next();
+            } else {
+                Parser parser(session_);
+                subscript = parser.sum();
+                index = index * size + checked_subscript(subscript, size);
+                parser.expect(Tok::rbracket, "]");
+            }
             where = cover(where, subscript.where);
         }
         place.array = elements;
@@ -141,7 +147,7 @@ void TokenStream::do_declare(bool local, SourceRange) {
         const Place before =
             local ? session_.symbols.find_at(word, level) : session_.symbols.find_place(word);
         Operand right;
-        {
+        if (!quick_sum(right, {Tok::semicolon})) {
             Parser parser(session_);
             if (parser.peek().kind == Tok::undeclared) {
                 session_.fail(parser.peek().where,

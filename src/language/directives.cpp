@@ -225,8 +225,7 @@ void TokenStream::skip_branches(Cond cond, SourceRange where) {
         const SourceRange at = range(token_at(next + 1));
         bool reads = false;
         if (word == Keyword::elseif) {
-            Parser parser(session_);
-            reads = std::abs(parser.condition()) > 1e-10;
+            reads = std::abs(condition()) > 1e-10;
         } else {
             Parser parser(session_);
             const bool is_range = word == Keyword::range;
@@ -246,11 +245,7 @@ void TokenStream::skip_branches(Cond cond, SourceRange where) {
 void TokenStream::do_if(uint32_t hash, SourceRange where) {
     if (conds_.size() >= 200) session_.fail(where, "Too many nested conditionals or loops.");
     const size_t frame = frames_.size();
-    double value = 0;
-    {
-        Parser parser(session_);
-        value = parser.condition();
-    }
+    const double value = condition();
     if (frames_.size() != frame) session_.fail(where, "#if did not end in the file where it started.");
     Cond cond;
     cond.hash = hash;

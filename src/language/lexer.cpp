@@ -25,10 +25,11 @@ public:
     void add_word(std::string_view spelling) {
         add(Tok::word, spelling.data(), spelling.data() + spelling.size(), words_.number(spelling));
     }
-    void add_number(std::string_view spelling) {
+    void add_number(std::string_view spelling) { add_number(spelling, parse_number(spelling)); }
+    void add_number(std::string_view spelling, double value) {
         add(Tok::number, spelling.data(), spelling.data() + spelling.size(),
             static_cast<uint32_t>(out_.numbers.size()));
-        out_.numbers.push_back(parse_number(spelling));
+        out_.numbers.push_back(value);
     }
     void error(const char* begin, const char* end, std::string message) {
         out_.errors.push_back({static_cast<uint32_t>(out_.tokens.size()), std::move(message)});
@@ -160,6 +161,120 @@ struct action<lexical::greater_equal> : add_sign<Tok::greater_equal> {};
 template <>
 struct action<lexical::not_equal> : add_sign<Tok::not_equal> {};
 
+using CharacterInput = pegtl::memory_input<pegtl::tracking_mode::lazy, pegtl::eol::lf_crlf, std::string_view>;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool begins_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+/// Words, numbers and signs by hand; the grammar is the slow twin and takes whatever else there is.
+class QuickLexer {
+public:
+    QuickLexer(Lexer& lexer, const char* begin, const char* end) : lexer_(lexer), at_(begin), end_(end) {}
+
+    void run() {
+        while (at_ != end_) {
+            if (!step()) leave_to_grammar();
+        }
+    }
+
+private:
+    bool step() {
+        const char c = *at_;
+        switch (c) {
+            case ' ':
+            case '\n':
+            case '\t':
+            case '\r':
+                ++at_;
+                return true;
+            case '<':
+                if (const size_t size = lexer_.take_run(at_, end_); size > 0) {
+                    at_ += size;
+                    return true;
+                }
+                return next_is('=') ? sign(Tok::less_equal, 2) : sign(Tok::langle, 1);
+            case '>':
+                return next_is('=') ? sign(Tok::greater_equal, 2) : sign(Tok::rangle, 1);
+            case ',':
+                return sign(Tok::comma, 1);
+            case '-':
+                return sign(Tok::minus, 1);
+            case '{':
+                return sign(Tok::lbrace, 1);
+            case '}':
+                return sign(Tok::rbrace, 1);
+            case '/':
+                return !next_is('/') && !next_is('*') && sign(Tok::slash, 1);
+            case '.':
+                return end_ - at_ > 1 && !is_digit(at_[1]) && sign(Tok::dot, 1);
+            case '(':
+            case ')':
+            case '[':
+            case ']':
+            case '+':
+            case '*':
+            case '=':
+            case ';':
+            case '#':
+                return sign(sign_kind(c), 1);
+            default:
+                return begins_word(c) ? word() : is_digit(c) && number();
+        }
+    }
+
+    bool next_is(char c) const { return end_ - at_ > 1 && at_[1] == c; }
+
+    bool sign(Tok kind, size_t size) {
+        lexer_.add(kind, at_, at_ + size);
+        at_ += size;
+        return true;
+    }
+
+    bool word() {
+        const char* last = at_;
+        while (last != end_ && (begins_word(*last) || is_digit(*last))) ++last;
+        if (last - at_ > 255) return false;
+        lexer_.add_word({at_, static_cast<size_t>(last - at_)});
+        at_ = last;
+        return true;
+    }
+
+    /// Digits, and perhaps a point and more digits. Both the digits and the power of ten are exact as doubles
+    /// (up to 2^53 and 10^22), so that their quotient is the nearest number.
+    bool number() {
+        constexpr double powers[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                     1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+        uint64_t digits = 0;
+        const char* last = at_;
+        while (last != end_ && is_digit(*last) && last - at_ < 16)
+            digits = 10 * digits + static_cast<uint64_t>(*last++ - '0');
+        size_t places = 0;
+        if (last != end_ && *last == '.') {
+            ++last;
+            while (last != end_ && is_digit(*last) && last - at_ < 16) {
+                digits = 10 * digits + static_cast<uint64_t>(*last++ - '0');
+                ++places;
+            }
+        }
+        if (last - at_ >= 16) return false;
+        if (last != end_ && (*last == '.' || *last == 'e' || *last == 'E')) return false;
+        lexer_.add_number({at_, static_cast<size_t>(last - at_)},
+                          static_cast<double>(digits) / powers[places]);
+        at_ = last;
+        return true;
+    }
+
+    void leave_to_grammar() {
+        CharacterInput in(at_, end_, std::string_view{});
+        pegtl::parse<lexical::piece, action>(in, lexer_);
+        at_ = in.current();
+    }
+
+    Lexer& lexer_;
+    const char* at_;
+    const char* end_;
+};
+
 bool continues(Keyword word, Keyword opener) {
     if (word == Keyword::else_) {
         return opener == Keyword::if_ || opener == Keyword::ifdef || opener == Keyword::ifndef ||
@@ -214,10 +329,15 @@ TokenFilePtr lex(uint32_t file, std::string_view text, Words& words, const LexOp
     if (options.is_main) {
         while (begin < end && static_cast<unsigned char>(text[begin]) >= 128) ++begin;
     }
+    // More than most files need; what is not used takes no memory.
+    out->tokens.reserve((end - begin) / 2);
     Lexer lexer(*out, words, options.runs);
-    pegtl::memory_input<pegtl::tracking_mode::lazy, pegtl::eol::lf_crlf, std::string_view> in(
-        text.data() + begin, text.data() + end, std::string_view{});
-    pegtl::parse<lexical::file, action>(in, lexer);
+    if (options.quick) {
+        QuickLexer(lexer, text.data() + begin, text.data() + end).run();
+    } else {
+        CharacterInput in(text.data() + begin, text.data() + end, std::string_view{});
+        pegtl::parse<lexical::file, action>(in, lexer);
+    }
     out->tokens.push_back({static_cast<uint32_t>(end), 0, 0, Tok::end});
     link_branches(*out);
     return out;

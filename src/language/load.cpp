@@ -68,6 +68,7 @@ void open_input(Session& session) {
     LexOptions lexing;
     lexing.is_main = true;
     lexing.runs = o.number_runs;
+    lexing.quick = o.quick_expressions;
     const std::string_view source = session.sources.text(number);
     // A byte order mark says how strings are coded.
     if (!source.empty() && static_cast<unsigned char>(source[0]) >= 128) session.charset = Charset::utf8;

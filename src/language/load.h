@@ -42,8 +42,9 @@ struct LoadOptions {
     std::function<void(const std::string& path)> file_used;
     /// Whether #fopen may write to this path; absent: it may.
     std::function<bool(const std::string& path)> may_write;
-    bool file_access = true;  ///< false: the scene neither finds, reads nor writes files (fuzzing)
-    bool number_runs = true;  ///< false: read long lists token by token (slow; for tests)
+    bool file_access = true;        ///< false: the scene neither finds, reads nor writes files (fuzzing)
+    bool quick_expressions = true;  ///< false: leave everything to the grammars (slow; for tests)
+    bool number_runs = true;        ///< false: read long lists token by token (slow; for tests)
 };
 
 /// Reads a scene into `out`; false if errors were reported.

@@ -14,8 +14,7 @@ void TokenStream::pass_while(const Cond& cond) {
     jump(cond.resume);
     double value = 0;
     try {
-        Parser parser(session_);
-        value = parser.condition();
+        value = condition();
     } catch (const SceneError&) {
         if (frames_.size() == frame && token_at(cond.hash).aux != 0) jump(end_of(cond.hash, where) + 2);
         throw;
@@ -50,9 +49,17 @@ void TokenStream::do_for(uint32_t hash, SourceRange where) {
     }
     std::vector<double> values;
     const size_t frame = frames_.size();
-    {
+    const bool comma = quick_take(Tok::comma);
+    bool closed = false;
+    Operand bound;
+    while (!closed && values.size() < 3 && quick_sum(bound, {Tok::comma, Tok::rparen})) {
+        values.push_back(to_float(bound));
+        closed = values.size() >= 2 && quick_take(Tok::rparen);
+        if (!closed) quick_take(Tok::comma);
+    }
+    if (!closed) {
         Parser parser(session_);
-        parser.take_if(Tok::comma);
+        if (!comma && values.empty()) parser.take_if(Tok::comma);
         while (values.size() < 3) {
             parser.lock(true);
             values.push_back(parser.number());

@@ -120,6 +120,7 @@ void ParseState::close_inner_block(SourceRange where) {
 
 Item& ParseState::new_item(Item::Kind kind, SourceRange where) {
     blocks_.back().same_shape = 0;
+    if (open().items.empty()) open().items.reserve(6);
     Item& item = open().items.emplace_back();
     item.kind = kind;
     item.where = where;
@@ -132,12 +133,12 @@ bool ParseState::colors_allowed() const {
     return blocks_.back().block->keyword != "image_map";
 }
 
-void ParseState::add_numbers(const Operand& operand) {
-    const Terms terms = std::get<Terms>(operand.value);
+void ParseState::add_numbers(const Terms& terms, SourceRange where) {
     Block& block = open();
     OpenBlock& top_block = blocks_.back();
     const auto append = [&] {
-        block.numbers.insert(block.numbers.end(), terms.v.begin(), terms.v.begin() + terms.count);
+        if (block.numbers.empty()) block.numbers.reserve(8);
+        for (size_t i = 0; i < static_cast<size_t>(terms.count); ++i) block.numbers.push_back(terms.v[i]);
     };
     if (!block.items.empty() && top_block.same_shape > 0) {
         Item& last = block.items.back();
@@ -145,7 +146,7 @@ void ParseState::add_numbers(const Operand& operand) {
         if (last.terms == terms.count && top_block.same_shape >= 8) {
             append();
             ++last.count;
-            last.where = cover(last.where, operand.where);
+            last.where = cover(last.where, where);
             return;
         }
     }
@@ -153,7 +154,7 @@ void ParseState::add_numbers(const Operand& operand) {
         !block.items.empty() && top_block.same_shape > 0 && block.items.back().terms == terms.count
             ? top_block.same_shape + 1
             : 1;
-    Item& item = new_item(Item::Kind::numbers, operand.where);
+    Item& item = new_item(Item::Kind::numbers, where);
     item.first = static_cast<uint32_t>(block.numbers.size());
     item.count = 1;
     item.terms = terms.count;
@@ -161,15 +162,16 @@ void ParseState::add_numbers(const Operand& operand) {
     blocks_.back().same_shape = same;
 }
 
+void ParseState::add_terms(const Terms& terms, SourceRange where) {
+    add_numbers(terms, where);
+    if (blocks_.back().same_shape > 0 && blocks_.back().same_shape < 8) {
+        open().items.back().text = found_value(session_, where);
+    }
+}
+
 void ParseState::add_value() {
     const Operand operand = pop();
-    if (std::holds_alternative<Terms>(operand.value)) {
-        add_numbers(operand);
-        if (blocks_.back().same_shape > 0 && blocks_.back().same_shape < 8) {
-            open().items.back().text = found_value(session_, operand.where);
-        }
-        return;
-    }
+    if (const Terms* terms = operand.terms()) return add_terms(*terms, operand.where);
     if (const auto* text = std::get_if<std::string>(&operand.value)) {
         Item& item = new_item(Item::Kind::text, operand.where);
         item.text = *text;

@@ -4,56 +4,12 @@
 #include "language/parse_state.h"
 
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 namespace rb {
 
 namespace {
-
-constexpr double tolerance = 1e-10;
-
-/// nan counts as equal to everything, as in the reference.
-bool equal(double a, double b) { return !(std::abs(a - b) > tolerance); }
-
-double divide(Session& session, double a, double b, SourceRange where) {
-    if (b == 0.0) {
-        session.warn(where, "Divide by zero.");
-        return std::numeric_limits<double>::infinity();
-    }
-    return a / b;
-}
-
-double calculate(Session& session, Operator op, double a, double b, SourceRange where) {
-    switch (op) {
-        case Operator::add:
-            return a + b;
-        case Operator::subtract:
-            return a - b;
-        case Operator::multiply:
-            return a * b;
-        case Operator::divide:
-            return divide(session, a, b, where);
-        case Operator::less:
-            return a < b;
-        case Operator::less_equal:
-            return a < b || equal(a, b);
-        case Operator::equal:
-            return equal(a, b);
-        case Operator::unequal:
-            return !equal(a, b);
-        case Operator::greater_equal:
-            return a > b || equal(a, b);
-        case Operator::greater:
-            return a > b;
-        case Operator::both:
-            return std::abs(a) > tolerance && std::abs(b) > tolerance;
-        case Operator::either:
-            return std::abs(a) > tolerance || std::abs(b) > tolerance;
-    }
-    return 0;
-}
 
 bool compare(Operator op, const std::string& a, const std::string& b) {
     const int order = compare_texts(a, b);
@@ -125,16 +81,14 @@ Operand ParseState::pop() {
 }
 
 void ParseState::negate(SourceRange sign) {
-    Terms terms = numeric(top());
-    for (double& v : terms.v) v = -v;
+    const Terms terms = negated(numeric(top()));
     const SourceRange where = cover(sign, top().where);
     operands_.pop_back();
     push(terms, where);
 }
 
 void ParseState::invert(SourceRange sign) {
-    Terms terms = numeric(top());
-    for (double& v : terms.v) v = std::abs(v) > tolerance ? 0.0 : 1.0;
+    const Terms terms = inverted(numeric(top()));
     const SourceRange where = cover(sign, top().where);
     operands_.pop_back();
     push(terms, where);
@@ -151,21 +105,11 @@ void ParseState::apply(Operator op) {
         operands_.pop_back();
         return push(Terms{{result}, 1}, where);
     }
-    Terms a = numeric(left);
-    Terms b = numeric(right);
-    const int count = std::max(a.count, b.count);
-    const auto spread = [&](Terms& t) {
-        if (t.count == 1) {
-            for (size_t i = 1; i < static_cast<size_t>(count); ++i) t.v[i] = t.v[0];
-        }
-    };
-    spread(a);
-    spread(b);
-    Terms out;
-    out.count = count;
-    for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
-        out.v[i] = calculate(session_, op, a.v[i], b.v[i], right.where);
-    }
+    const Terms a = numeric(left);
+    const Terms b = numeric(right);
+    int zero_divisions = 0;
+    const Terms out = combine(op, a, b, zero_divisions);
+    for (; zero_divisions > 0; --zero_divisions) session_.warn(right.where, "Divide by zero.");
     left.value = out;
     left.place = {};
     left.where = where;
@@ -177,7 +121,7 @@ void ParseState::choose() {
     const Operand condition = pop();
     const Terms terms = numeric(condition);
     if (terms.count != 1) session_.fail(condition.where, "Conditional must evaluate to a float.");
-    const Operand& chosen = std::abs(terms.v[0]) > tolerance ? then : otherwise;
+    const Operand& chosen = std::abs(terms.v[0]) > truth_tolerance ? then : otherwise;
     push(chosen.value, cover(condition.where, otherwise.where));
 }
 

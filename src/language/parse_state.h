@@ -1,4 +1,5 @@
 #pragma once
+#include "language/arithmetic.h"
 #include "language/function_builder.h"
 #include "language/parser.h"
 
@@ -7,21 +8,6 @@
 #include <vector>
 
 namespace rb {
-
-enum class Operator {
-    add,
-    subtract,
-    multiply,
-    divide,
-    less,
-    less_equal,
-    equal,
-    unequal,
-    greater_equal,
-    greater,
-    both,
-    either
-};
 
 /// What the actions of the token grammar work on: operands, open calls, open blocks.
 class ParseState {
@@ -33,6 +19,7 @@ public:
 
     // Operands.
     void push(Value value, SourceRange where);
+    void push(Operand operand) { operands_.push_back(std::move(operand)); }
     void push_name(const Produced& token);
     void push_constant(const Produced& token);
     void push_text(const Produced& token);
@@ -80,6 +67,7 @@ public:
     /// The innermost open block, or null.
     const Block* open_block() const { return blocks_.empty() ? nullptr : blocks_.back().block.get(); }
     void add_value();
+    void add_terms(const Terms& terms, SourceRange where);
     void add_color();
     void add_run(const Produced& run);
     void add_word(const Produced& word);
@@ -140,7 +128,7 @@ private:
 
     Terms numeric(const Operand& operand) const;
     Item& new_item(Item::Kind kind, SourceRange where);
-    void add_numbers(const Operand& operand);
+    void add_numbers(const Terms& terms, SourceRange where);
     Block& open() { return *blocks_.back().block; }
 
     Session& session_;

@@ -17,6 +17,8 @@ public:
         states_[stream] = states_[stream] * 1812433253u + 12345u;
         return states_[stream] / 4294967295.0;
     }
+    uint32_t state(size_t stream) const { return states_[stream]; }
+    void set_state(size_t stream, uint32_t state) { states_[stream] = state; }
 
 private:
     std::vector<uint32_t> states_;

@@ -12,7 +12,10 @@ namespace rb {
 bool is_object_keyword(std::string_view keyword);
 /// Objects, cameras, global_settings, ...: what may stand at scene level before a `{`.
 bool begins_statement(std::string_view keyword);
-ObjectPtr read_object(const Block& block, const ReadContext& context);
+std::shared_ptr<Object> read_new_object(const Block& block, const ReadContext& context);
+inline ObjectPtr read_object(const Block& block, const ReadContext& context) {
+    return read_new_object(block, context);
+}
 LightPtr read_light(BlockReader& in);
 
 TexturePtr read_texture(const Block& block, const ReadContext& context);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -240,8 +241,12 @@ private:
 }  // namespace
 
 bool is_object_keyword(std::string_view keyword) {
-    return std::find(object_words.begin(), object_words.end(), keyword) != object_words.end() ||
-           find_shape(keyword) != nullptr;
+    static const std::unordered_set<std::string_view> words = [] {
+        std::unordered_set<std::string_view> all(object_words.begin(), object_words.end());
+        for (const ShapeKind* kind : all_shapes()) all.insert(kind->keyword);
+        return all;
+    }();
+    return words.contains(keyword);
 }
 
 std::optional<double> read_importance(const Block& block, const ReadContext& context) {
@@ -274,7 +279,7 @@ void read_photons(BlockReader& in) {
     if (asks) in.diagnostics().unsupported(at, "photons", "the light that they would bring is missing");
 }
 
-ObjectPtr read_object(const Block& block, const ReadContext& context) {
+std::shared_ptr<Object> read_new_object(const Block& block, const ReadContext& context) {
     BlockReader in(block, context);
     auto object = std::make_shared<Object>();
     object->radiosity_importance = static_cast<float>(context.session->default_importance);

@@ -7,8 +7,8 @@ namespace rb {
 
 namespace {
 
-void add_object(Session& session, const ObjectPtr& read) {
-    auto object = std::make_shared<Object>(*read);
+/// `object` is new: nobody else holds it.
+void add_object(Session& session, std::shared_ptr<Object> object) {
     if (!std::holds_alternative<LightPtr>(object->geometry))
         object->fallback_texture = session.default_texture;
     session.scene.objects.push_back(std::move(object));
@@ -48,7 +48,7 @@ void read_statement(Session& session, const Block& block) {
     const ReadContext context = session.context();
     const std::string_view keyword = block.keyword;
     if (is_object_keyword(keyword)) {
-        add_object(session, read_object(block, context));
+        add_object(session, read_new_object(block, context));
     } else if (keyword == "camera") {
         read_camera_statement(session, block, context);
     } else if (keyword == "global_settings") {

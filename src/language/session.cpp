@@ -51,6 +51,7 @@ TokenFilePtr Session::tokens_of(const std::string& path) {
     const uint32_t number = sources.add(path, std::move(*text));
     LexOptions lexing;
     lexing.runs = options.number_runs;
+    lexing.quick = options.quick_expressions;
     TokenFilePtr tokens = lex(number, sources.text(number), words, lexing);
     files.emplace(path, tokens);
     return tokens;

@@ -17,6 +17,11 @@ public:
     void close();
     size_t depth() const { return tables_.size(); }
 
+    /// The visible symbol as long as no table changes, or null.
+    const Place* look(uint32_t word) const {
+        if (word >= entries_.size() || entries_[word].empty()) return nullptr;
+        return &entries_[word].back().place;
+    }
     /// The visible symbol, or null.
     SlotPtr find(uint32_t word) const;
     /// The array element that a by-reference parameter stands for.

@@ -40,6 +40,7 @@ using TokenFilePtr = std::shared_ptr<const TokenFile>;
 bool opens_branches(Keyword word);
 
 struct LexOptions {
+    bool quick = true;     ///< false: leave every token to the grammar (slow; for tests)
     bool runs = true;      ///< keep long lists of plain vectors as one token
     bool is_main = false;  ///< bytes >= 128 at the start are skipped
     uint32_t begin = 0;    ///< part of the text that is lexed

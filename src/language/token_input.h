@@ -1,7 +1,9 @@
 #pragma once
 #include "language/session.h"
 
+#include <algorithm>
 #include <array>
+#include <exception>
 
 #include <tao/pegtl.hpp>
 
@@ -28,6 +30,8 @@ public:
     TokenInput(const TokenInput&) = delete;
     TokenInput& operator=(const TokenInput&) = delete;
     ~TokenInput() {
+        // An error makes the grammar's rules rewind, but what they took is gone.
+        if (std::uncaught_exceptions() > exceptions_) at_ = std::max(at_, taken_);
         while (produced_ > at_) session_.stream.give_back(std::move(ring_[--produced_ % kept]));
     }
 
@@ -52,7 +56,7 @@ public:
         return token.kind != Tok::number && token.kind != Tok::hash && token.kind != Tok::run &&
                token.word == word_of(keyword) && token.kind == Words::kind(token.word);
     }
-    void bump() { ++at_; }
+    void bump() { taken_ = std::max(taken_, ++at_); }
     const Produced& token(size_t number) const { return ring_[number % kept]; }
     const Produced& previous() const { return ring_[(at_ - 1) % kept]; }
     const Produced& current() const { return ring_[at_ % kept]; }
@@ -62,6 +66,43 @@ public:
         session_.stream.locked = false;
         peek();
         session_.stream.locked = locked;
+    }
+    /// A plain expression without the grammar; false: nothing was read.
+    template <class State>
+    bool take_quick(bool full, State& state) {
+        if (at_ != produced_ && !(may_begin_quick(ring_[at_ % kept].kind) && steps_back())) return false;
+        Operand operand;
+        TokenStream& stream = session_.stream;
+        if (!(full ? stream.quick_full(operand) : stream.quick_sum(operand))) return false;
+        ring_[at_ % kept] = {Tok::number, 0, 0, operand.where, {}};
+        bump();
+        produced_ = at_;
+        state.push(std::move(operand));
+        return true;
+    }
+    /// An item of a block that is plain, and the comma behind it; false: nothing was read.
+    template <class State>
+    bool take_quick_item(State& state) {
+        if (at_ != produced_ && !(may_be_quick_item() && steps_back())) return false;
+        TokenStream& stream = session_.stream;
+        Produced word;
+        Operand operand;
+        if (stream.quick_sum(operand)) {
+            state.add_terms(*operand.terms(), operand.where);
+        } else if (stream.quick_word(word)) {
+            state.add_word(word);
+        } else {
+            Produced first;
+            if (!state.colors_allowed() || !stream.quick_color(first, word, operand)) return false;
+            state.open_color(first.where);
+            if (first.kind == Tok::color) state.add_color_word();
+            state.set_color_word(word);
+            state.push(std::move(operand));
+            state.add_rgb_base();
+            state.add_color();
+        }
+        stream.quick_take(Tok::comma);
+        return true;
     }
     void open_run() {
         const SourceRange where = peek().where;
@@ -116,6 +157,35 @@ private:
     static constexpr size_t kept = 16;
     static constexpr int nesting_limit = 250;
 
+    bool may_be_quick_item() const {
+        const Tok kind = ring_[at_ % kept].kind;
+        if (kind == Tok::keyword) return session_.stream.quick_peek() != Tok::lbrace;
+        return kind == Tok::color || kind == Tok::rgb || may_begin_quick(kind);
+    }
+    static bool may_begin_quick(Tok kind) {
+        switch (kind) {
+            case Tok::number:
+            case Tok::name:
+            case Tok::constant:
+            case Tok::call_one:
+            case Tok::call_many:
+            case Tok::lparen:
+            case Tok::langle:
+            case Tok::plus:
+            case Tok::minus:
+            case Tok::bang:
+                return true;
+            default:
+                return false;
+        }
+    }
+    /// True if the stream stands at the current token (again).
+    bool steps_back() {
+        if (at_ == produced_) return true;
+        if (at_ + 1 != produced_ || !session_.stream.unread(ring_[at_ % kept])) return false;
+        --produced_;
+        return true;
+    }
     Produced& last() { return ring_[(produced_ - 1) % kept]; }
     void produce() {
         ring_[produced_ % kept] = session_.stream.next();
@@ -126,6 +196,8 @@ private:
     std::array<Produced, kept> ring_;
     size_t at_ = 0;
     size_t produced_ = 0;
+    size_t taken_ = 0;  ///< most that at_ has been
+    int exceptions_ = std::uncaught_exceptions();
 };
 
 }  // namespace rb

@@ -164,10 +164,12 @@ size_t TokenStream::include_depth() const {
 
 void TokenStream::call(const MacroPtr& macro, SourceRange where) {
     std::vector<Operand> arguments;
-    {
+    arguments.reserve(macro->parameters.size());
+    const bool opened = quick_take(Tok::lparen);
+    if (!opened || !quick_arguments(*macro, arguments)) {
         Parser parser(session_);
-        parser.expect(Tok::lparen, "(");
-        for (size_t i = 0; i < macro->parameters.size(); ++i) {
+        if (!opened) parser.expect(Tok::lparen, "(");
+        for (size_t i = arguments.size(); i < macro->parameters.size(); ++i) {
             if (parser.peek().kind == Tok::rparen) {
                 std::string names;
                 for (const uint32_t name : macro->parameters)
@@ -208,7 +210,7 @@ void TokenStream::call(const MacroPtr& macro, SourceRange where) {
     Frame frame;
     frame.kind = Frame::Kind::macro;
     frame.tokens = macro->file;
-    frame.at = macro->body_begin;
+    frame.begin = frame.at = macro->body_begin;
     frame.end = macro->body_end;
     frame.conds = conds_.size();
     frame.own_table = true;

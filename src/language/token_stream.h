@@ -2,12 +2,14 @@
 #include "language/symbols.h"
 #include "language/token_file.h"
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace rb {
 
+struct Operand;
 struct Session;
 
 /// A token as the grammar sees it: words are looked up at this moment, so a macro's local that is its last
@@ -30,7 +32,28 @@ public:
     /// The next token after running the directives before it; `Tok::end` at the end of the scene.
     Produced next();
     /// Gives back tokens that were looked at but not used (last one first).
-    void give_back(Produced token) { pushback_.push_back(std::move(token)); }
+    void give_back(Produced token) {
+        if (!unread(token)) pushback_.push_back(std::move(token));
+    }
+    /// Steps back over the token if it is the last one read and reading it again gives the same; false: it is
+    /// not.
+    bool unread(const Produced& token);
+
+    /// Reads a plain numeric expression that comes next (see QuickExpression) and that one of `ends` follows,
+    /// if any are given; false: nothing was read.
+    bool quick_sum(Operand& out, std::initializer_list<Tok> ends = {}) {
+        return quick(Level::sum, ends, out);
+    }
+    bool quick_full(Operand& out, std::initializer_list<Tok> ends = {}) {
+        return quick(Level::full, ends, out);
+    }
+    /// The same for an item of a block: a word that stands alone, and [ "color" ] "rgb..." full without
+    /// channels.
+    bool quick_word(Produced& out);
+    bool quick_color(Produced& first, Produced& word, Operand& base);
+    bool quick_take(Tok kind);
+    /// Kind of the next token in the file, as far as nothing comes before it.
+    Tok quick_peek() const;
 
     /// True for a `#` or macro name that was handed on as a token but would run now.
     bool is_pending(const Produced& token) const;
@@ -59,6 +82,7 @@ public:
     size_t include_depth() const;
 
 private:
+    enum class Level { sum, full, color };
     struct Cond {
         enum class Kind { if_, while_, for_, switch_ };
         Kind kind = Kind::if_;
@@ -76,6 +100,7 @@ private:
         enum class Kind { file, macro, list };
         Kind kind = Kind::file;
         TokenFilePtr tokens;
+        uint32_t begin = 0;
         uint32_t at = 0;
         uint32_t end = 0;
         size_t conds = 0;
@@ -86,12 +111,21 @@ private:
     };
 
     Frame& top() { return frames_.back(); }
+    const Frame& top() const { return frames_.back(); }
     const Token& token_at(uint32_t index) { return top().tokens->tokens[index]; }
     void close_frame();
     void rewind_pushback();
     void run_hash(const Produced& hash);
     /// Without looking further, so that no directive runs.
     bool take_semicolon();
+    /// True if the next token comes from the frame on top, with nothing that waits before it.
+    bool reads_plainly() const;
+    bool quick(Level level, std::initializer_list<Tok> ends, Operand& out);
+    bool is_plain(const Token& token) const;
+    bool quick_argument(Operand& out);
+    bool quick_arguments(const Macro& macro, std::vector<Operand>& arguments);
+    /// "(" full ")"
+    double condition();
     bool resolve(const Token& token, Produced& out);
     void warn_deprecated(Slot& slot, const Produced& at);
     void call(const MacroPtr& macro, SourceRange where);

@@ -2,7 +2,7 @@
 
 #include "language/read_pattern.h"
 
-#include <set>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ public:
     explicit Walk(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
     void object(const ObjectPtr& object) {
-        if (!object || !seen_.insert(object.get()).second) return;
+        if (!object || !is_new(object)) return;
         if (object->texture) layers(object->texture->layers);
         if (object->interior_texture) layers(object->interior_texture->layers);
         if (object->fallback_texture) layers(object->fallback_texture);
@@ -30,22 +30,25 @@ public:
                 diagnostics_.unsupported(object->where, "cutaway_textures",
                                          "a cut shows the first texture found, not their mean");
             }
-            for (const ObjectPtr& child : *csg->children) this->object(child);
+            // Copies of a compound share their children.
+            if (is_new(csg->children)) {
+                for (const ObjectPtr& child : *csg->children) this->object(child);
+            }
         }
-        if (const auto* light = std::get_if<LightPtr>(&object->geometry)) {
+        if (const auto* light = std::get_if<LightPtr>(&object->geometry); light && is_new(*light)) {
             this->object((*light)->looks_like);
             this->object((*light)->projected_through);
             if ((*light)->projected_through) {
                 diagnostics_.unsupported((*light)->where, "projected_through", "the light shines everywhere");
             }
         }
-        if (const auto* shape = std::get_if<ShapePtr>(&object->geometry); shape && *shape) {
+        if (const auto* shape = std::get_if<ShapePtr>(&object->geometry); shape && *shape && is_new(*shape)) {
             for (const TexturePtr& texture : (*shape)->textures()) layers(texture);
         }
     }
 
     void pigment(const PigmentPtr& pigment) {
-        if (!pigment || !seen_.insert(pigment.get()).second) return;
+        if (!pigment || !is_new(pigment)) return;
         if (const auto* p = std::get_if<PatternPtr>(&pigment->source)) pattern(*p);
         if (const auto* map = std::get_if<BlendMap<PigmentPtr>>(&pigment->map)) {
             for (const auto& entry : *map) this->pigment(entry.value);
@@ -53,8 +56,14 @@ public:
     }
 
 private:
+    /// What nobody else holds is met once, if that is true of everything on the way to it.
+    template <class T>
+    bool is_new(const std::shared_ptr<const T>& thing) {
+        return thing.use_count() == 1 || seen_.insert(thing.get()).second;
+    }
+
     void layers(const TexturePtr& layers) {
-        if (!layers || !seen_.insert(layers.get()).second) return;
+        if (!layers || !is_new(layers)) return;
         for (const Texture& layer : *layers) {
             pigment(layer.pigment);
             normal(layer.normal);
@@ -64,7 +73,7 @@ private:
     }
 
     void normal(const NormalPtr& normal) {
-        if (!normal || !seen_.insert(normal.get()).second) return;
+        if (!normal || !is_new(normal)) return;
         pattern(normal->pattern);
         if (const auto* map = std::get_if<BlendMap<NormalPtr>>(&normal->map)) {
             for (const auto& entry : *map) this->normal(entry.value);
@@ -79,7 +88,7 @@ private:
     }
 
     Diagnostics& diagnostics_;
-    std::set<const void*> seen_;
+    std::unordered_set<const void*> seen_;
 };
 
 }  // namespace

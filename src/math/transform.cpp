@@ -1,8 +1,16 @@
 #include "math/transform.h"
 
 #include <cmath>
+#include <cstring>
 
 namespace rb {
+
+const Transform SharedTransform::identity{};
+
+SharedTransform::SharedTransform(const Transform& map) {
+    // Bit by bit: -0 is not the identity's 0.
+    if (std::memcmp(&map, &identity, sizeof map) != 0) map_ = std::make_shared<const Transform>(map);
+}
 
 Affine then(const Affine& a, const Affine& b) {
     return {{b.direction(a.row[0]), b.direction(a.row[1]), b.direction(a.row[2]), b.point(a.row[3])}};

@@ -2,6 +2,7 @@
 #include "math/vec.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace rb {
@@ -50,6 +51,29 @@ struct Transform {
     static Transform rotation_deg(const Vec3& degrees);
     /// Empty if the matrix is singular.
     static std::optional<Transform> from_matrix(const Affine& matrix);
+};
+
+/// A transform in the size of a pointer, for what there are many of: the identity takes no memory, copies
+/// share.
+class SharedTransform {
+public:
+    SharedTransform() = default;
+    SharedTransform(const Transform& map);
+
+    operator const Transform&() const { return map_ ? *map_ : identity; }
+    const Transform* operator->() const { return map_ ? map_.get() : &identity; }
+    Vec3 point(const Vec3& p) const { return (*this)->point(p); }
+    Vec3 inverse_point(const Vec3& p) const { return (*this)->inverse_point(p); }
+    Vec3 inverse_direction(const Vec3& d) const { return (*this)->inverse_direction(d); }
+    bool is_identity() const { return !map_ || map_->is_identity(); }
+    friend bool operator==(const SharedTransform& a, const SharedTransform& b) {
+        return a.map_ == b.map_ || *a.operator->() == *b.operator->();
+    }
+
+private:
+    static const Transform identity;
+
+    std::shared_ptr<const Transform> map_;
 };
 
 /// First `a`, then `b`: `scale 2 translate x` is then(scaling(2), translation(x)).

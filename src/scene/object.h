@@ -47,7 +47,7 @@ struct UnsupportedShape {
 /// A texture as an object wears it, with the transformations that followed it in the object.
 struct WornTexture {
     TexturePtr layers;
-    Transform world_from_texture;
+    SharedTransform world_from_texture;
 };
 
 /// A thing in the scene. Copying is cheap: shapes, textures and children are shared. The transform applies to
@@ -55,7 +55,7 @@ struct WornTexture {
 struct Object {
     SourceRange where;
     std::variant<ShapePtr, Csg, LightPtr, UnsupportedShape> geometry;
-    Transform world_from_object;
+    SharedTransform world_from_object;
 
     std::optional<WornTexture> texture;
     std::optional<WornTexture> interior_texture;

@@ -20,6 +20,10 @@ template <typename Name>
 struct analyze_traits<Name, rb::grammar::vector_open> : analyze_any_traits<> {};
 template <typename Name>
 struct analyze_traits<Name, rb::grammar::defined_test> : analyze_any_traits<> {};
+template <typename Name, bool full>
+struct analyze_traits<Name, rb::grammar::quick_expression<full>> : analyze_any_traits<> {};
+template <typename Name>
+struct analyze_traits<Name, rb::grammar::quick_items> : analyze_opt_traits<> {};
 template <typename Name>
 struct analyze_traits<Name, rb::grammar::open_next> : analyze_opt_traits<> {};
 template <typename Name, typename Question>
