@@ -58,7 +58,7 @@ public:
         references_.reserve(count + count / 8);
         for (uint32_t i = 0; i < count; ++i) {
             const BoxF box = box_of(i);
-            if (box.lo[0] > box.hi[0]) continue;
+            if (!is_sound(box)) continue;
             references_.push_back({box, i});
             include(hull, box);
         }
@@ -73,6 +73,13 @@ public:
     }
 
 private:
+    static bool is_sound(const BoxF& box) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(box.lo[axis] <= box.hi[axis]) || !(box.lo[axis] > -inf && box.hi[axis] < inf)) return false;
+        }
+        return true;
+    }
+
     double block_cost(size_t n) const {
         if (n < block_costs_.size()) return block_costs_[n];
         return options_.element_cost / options_.block * static_cast<double>(n);

@@ -37,7 +37,8 @@ public:
     using Clip = std::function<Bounds(uint32_t element, const Bounds& cell)>;
 
     KdTree() = default;
-    /// The box of each element, asked once; lo > hi leaves the element out.
+    /// The box of each element, asked once. Left out is an element with lo > hi, and one that single
+    /// precision cannot hold (infinite, or not a number).
     using BoxOf = std::function<BoxF(uint32_t element)>;
 
     /// `clip` may be empty.

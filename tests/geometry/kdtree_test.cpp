@@ -221,5 +221,18 @@ TEST(Mesh, WatertightAtVerticesAndEdges) {
     EXPECT_EQ(missed, 0);
 }
 
+TEST(KdTree, LeavesOutWhatIsNoBox) {
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    std::vector<BoxF> boxes(40, BoxF{{0, 0, 0}, {1, 1, 1}});
+    boxes[3] = {{nan, 0, 0}, {nan, 1, 1}};
+    boxes[5] = {{0, nan, 0}, {1, 1, nan}};
+    boxes[7] = {{-inf, 0, 0}, {inf, 1, 1}};
+    boxes[9] = {{0, 0, 0}, {1, inf, 1}};
+    KdTree tree(boxes, {});
+    EXPECT_EQ(tree.renumber().size(), 36u);
+    EXPECT_TRUE(tree.bounds().is_finite());
+}
+
 }  // namespace
 }  // namespace rb
