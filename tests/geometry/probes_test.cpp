@@ -177,6 +177,26 @@ TEST(Probes, P55PatchInDifference) {
     o.hits({0, 0, -5}, z, {0, 0, 0}, {0, 0, -1});
 }
 
+TEST(Probes, P29PrismCubic) {
+    Probe o("prism{cubic_spline 0,1,7,<0,1>,<0,0>,<1,0>,<1,1>,<0,1>,<0,0>,<1,0>}");
+    o.hits({.3, .4, -5}, z, {.3, .4, -.1116345}, {-.1384182, 0, -.9903739});
+    expect_near(o.extent().lo, {-.125, 0, -.125}, "min");
+    expect_near(o.extent().hi, {1.125, 1, 1.125}, "max");
+}
+
+TEST(Probes, P30PrismConic) {
+    Probe o("prism{conic_sweep linear_spline 0.5,1,5,<-1,-1>,<1,-1>,<1,1>,<-1,1>,<-1,-1>}");
+    o.hits({.3, .7, -5}, z, {.3, .7, -.7}, {0, -.7071068, -.7071068});
+    o.hits({.3, -5, .4}, y, {.3, .5, .4}, {0, 1, 0});
+    expect_near(o.extent().lo, {-1, .5, -1}, "min");
+}
+
+TEST(Probes, P31PrismBoundaries) {
+    Probe o("prism{0,1,5,<0,0>,<1,0>,<1,1>,<0,1>,<0,0>}");
+    EXPECT_FALSE(o.inside({.3, 1, .5}));
+    EXPECT_TRUE(o.inside({.3, 0, .5}));
+}
+
 TEST(Probes, P50CoincidentBoxes) {
     Probe o("difference{box{0,1} box{0,1}}");
     o.hits({.3, .4, -5}, z, {.3, .4, 0}, {0, 0, 1});
