@@ -197,6 +197,29 @@ TEST(Probes, P31PrismBoundaries) {
     EXPECT_TRUE(o.inside({.3, 0, .5}));
 }
 
+TEST(Probes, P46TextKerning) {
+    Probe o("text{internal 1 \"AV\" 1,0}");
+    expect_near(o.extent().lo, {-.0000121, -.0160175, -.0000236}, "min");
+    expect_near(o.extent().hi, {1.2780178, .6960223, 1.0000131}, "max");
+}
+
+TEST(Probes, P47TextOffset) {
+    Probe o("text{internal 1 \"AAA\" 1,<0.1,0.2,0.3>}");
+    expect_near(o.extent().hi, {2.4360175, 1.0960425, 1.0000201}, "max");
+    // A negative thickness behind the string is no subtraction.
+    expect_near(Probe("text{internal 1 \"AV\" -0.3,0}").extent().lo, {-.0000174, -.016, -.3000216}, "min");
+    expect_near(Probe("text{internal 2 \" a b\" 0.3,<0.1,0,0>}").extent().hi, {1.9040054, .7280332, .3000137},
+                "max");
+}
+
+TEST(Probes, P48TextFaces) {
+    Probe o("text{internal 2 \"o\" 0.3,0}");
+    o.hits({.05, .2, -5}, z, {.05, .2, .0000026}, {-.0000175, .0000175, -1});
+    o.hits({-5, .25, .1}, x, {.0001262, .25, .1}, {.9996641, .0259179, -.000017});
+    EXPECT_TRUE(o.inside({.05, .2, .1}));
+    EXPECT_FALSE(o.inside({.25, .25, .1}));
+}
+
 TEST(Probes, P50CoincidentBoxes) {
     Probe o("difference{box{0,1} box{0,1}}");
     o.hits({.3, .4, -5}, z, {.3, .4, 0}, {0, 0, 1});
