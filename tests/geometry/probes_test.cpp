@@ -220,6 +220,12 @@ TEST(Probes, P48TextFaces) {
     EXPECT_FALSE(o.inside({.25, .25, .1}));
 }
 
+TEST(Probes, P19PolygonWithHole) {
+    Probe o("polygon{10,<0,0>,<1,0>,<1,1>,<0,1>,<0,0>,<.2,.2>,<.8,.2>,<.8,.8>,<.2,.8>,<.2,.2>}");
+    o.hits({.1, .4, -5}, z, {.1, .4, 0}, {0, 0, 1});
+    o.misses({.5, .5, -5}, z);
+}
+
 TEST(Probes, P50CoincidentBoxes) {
     Probe o("difference{box{0,1} box{0,1}}");
     o.hits({.3, .4, -5}, z, {.3, .4, 0}, {0, 0, 1});
