@@ -339,6 +339,8 @@ int sign_changes(const std::array<double, N + 1>& c, bool negative_at_0, bool ne
 template int sign_changes<1>(const std::array<double, 2>&, bool, bool, std::span<double, 1>);
 template int sign_changes<2>(const std::array<double, 3>&, bool, bool, std::span<double, 2>);
 template int sign_changes<3>(const std::array<double, 4>&, bool, bool, std::span<double, 3>);
+template int sign_changes<4>(const std::array<double, 5>&, bool, bool, std::span<double, 4>);
+template int sign_changes<5>(const std::array<double, 6>&, bool, bool, std::span<double, 5>);
 template int sign_changes<6>(const std::array<double, 7>&, bool, bool, std::span<double, 6>);
 
 double root_bound(std::span<const double> coefficients) {

@@ -23,7 +23,7 @@ int solve_quartic(const std::array<double, 5>& c, double lo, double hi, std::spa
 bool changes_sign(const std::array<double, 4>& c, double lo, double hi);
 bool changes_sign(const std::array<double, 5>& c, double lo, double hi);
 
-/// Where a polynomial of degree N = 1, 2, 3 or 6 (highest power first) changes its sign between 0 and 1,
+/// Where a polynomial of degree N = 1 to 6 (highest power first) changes its sign between 0 and 1,
 /// ascending; returns their number. The signs at 0 and 1 are given, and their number agrees with them: so
 /// pieces of a curve that share an end and its sign have together neither a gap nor a double root there.
 template <size_t N>

@@ -177,6 +177,32 @@ TEST(Probes, P55PatchInDifference) {
     o.hits({0, 0, -5}, z, {0, 0, 0}, {0, 0, -1});
 }
 
+TEST(Probes, P25LatheCubic) {
+    Probe o("lathe{cubic_spline 5,<1,-1>,<1,0>,<.5,1>,<1,2>,<0,3>}");
+    o.hits({.2, .5, -5}, z, {.2, .5, -.6903634}, {.2292986, .5665288, -.7914968});
+    o.hits({.2, 1.5, -5}, z, {.2, 1.5, -.7552162}, {.1986852, -.6305926, -.7502514});
+    expect_near(o.extent().hi, {1.0081482, 2, 1.0081482}, "max");
+}
+
+TEST(Probes, P26LatheQuadratic) {
+    Probe o("lathe{quadratic_spline 5,<1,-1>,<1,0>,<.5,1>,<1,2>,<0,3>}");
+    o.hits({.2, .5, -5}, z, {.2, .5, -.7875}, {.2201667, .4472136, -.8669064});
+    o.hits({.2, 1.5, -5}, z, {.2, 1.5, -.592136}, {.2862167, -.4472136, -.847396});
+}
+
+TEST(Probes, P27LatheBezier) {
+    Probe o("lathe{bezier_spline 4,<1,0>,<2,0>,<2,1>,<1,1>}");
+    o.hits({.2, .5, -5}, z, {.2, .5, -1.7385339}, {.1142857, 0, -.9934479});
+    EXPECT_FALSE(o.inside({.5, .5, 0}));
+    EXPECT_TRUE(o.inside({1.5, .5, 0}));
+}
+
+TEST(Probes, P28Sor) {
+    Probe o("sor{5,<.5,-1>,<1,0>,<.5,1>,<.8,2>,<.5,3>}");
+    o.hits({.2, .5, -5}, z, {.2, .5, -.7729812}, {.2062842, .5672817, -.7972693});
+    o.hits({.2, 5, 0}, -y, {.2, 2, 0}, {0, 1, 0});
+}
+
 TEST(Probes, P29PrismCubic) {
     Probe o("prism{cubic_spline 0,1,7,<0,1>,<0,0>,<1,0>,<1,1>,<0,1>,<0,0>,<1,0>}");
     o.hits({.3, .4, -5}, z, {.3, .4, -.1116345}, {-.1384182, 0, -.9903739});
@@ -224,6 +250,22 @@ TEST(Probes, P19PolygonWithHole) {
     Probe o("polygon{10,<0,0>,<1,0>,<1,1>,<0,1>,<0,0>,<.2,.2>,<.8,.2>,<.8,.8>,<.2,.8>,<.2,.2>}");
     o.hits({.1, .4, -5}, z, {.1, .4, 0}, {0, 0, 1});
     o.misses({.5, .5, -5}, z);
+}
+
+constexpr const char* patch_points =
+    "<0,0,0>,<1,0,0>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,1>,<2,1,1>,<3,1,0>,"
+    "<0,2,0>,<1,2,1>,<2,2,1>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,0>}";
+
+TEST(Probes, P20BicubicPatchTwoSteps) {
+    Probe o("bicubic_patch{type 1 flatness 0 u_steps 2 v_steps 2 " + std::string(patch_points));
+    o.hits({1.5, 1.4, -5}, z, {1.5, 1.4, .54375}, {0, .0471648, -.9988871});
+    o.hits({.5, 1.1, -5}, z, {.5, 1.1, .2601562}, {.3832156, .0527727, -.9221501});
+    expect_near(o.extent().hi, {3, 3, 1}, "max");
+}
+
+TEST(Probes, P21BicubicPatchDefaultSteps) {
+    Probe o("bicubic_patch{type 1 " + std::string(patch_points));
+    o.hits({1.5, 1.4, -5}, z, {1.5, 1.4, 0}, {0, 0, -1});
 }
 
 TEST(Probes, P50CoincidentBoxes) {
