@@ -155,7 +155,7 @@ void Extrusion::cross(const Outline& outline, uint32_t first, const Local& ray,
     if (divides) walls.add({0.0, first + contact->piece, {contact->w, 0.0}});
 }
 
-Vec3 Extrusion::normal(const Vec3&, const Crossing& at) const {
+Vec3 Extrusion::normal(const Vec3& p, const Crossing& at) const {
     if (at.part == cap0) return object_from_local_.normal({0, 0, swept_->base_normal});
     if (at.part == cap1) return object_from_local_.normal({0, 0, 1});
     uint32_t index = at.part - first_wall;
@@ -165,12 +165,18 @@ Vec3 Extrusion::normal(const Vec3&, const Crossing& at) const {
         ++outline;
     }
     const CurvePiece& piece = outline->pieces()[index];
-    Vec2 along = piece.slope(at.at.x);
+    // A tessellated copy knows the piece but not where on it.
+    double w = at.at.x;
+    const Vec2 local = flat(object_from_local_.inverse_point(p));
+    constexpr double near = 1e-6;
+    const bool known = glm::length(piece.at(w) - local) <= near * glm::length(outline->hi() - outline->lo());
+    if (!known) w = outline->nearest_on(index, local).w;
+    Vec2 along = piece.slope(w);
     if (along == Vec2{0.0}) along = piece.end() - piece.start();
     Vec3 n{along.y, -along.x, 0.0};
     if (swept_->conic) {
-        const Vec2 p = piece.at(at.at.x);
-        n.z = -(p.x * n.x + p.y * n.y);
+        const Vec2 q = piece.at(w);
+        n.z = -(q.x * n.x + q.y * n.y);
     }
     return object_from_local_.normal(n);
 }

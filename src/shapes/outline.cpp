@@ -158,21 +158,22 @@ Outline::Contact Outline::nearest(const Vec2& p, double within) const {
     return best;
 }
 
-int Outline::roots(const PlaneLine& line, uint32_t index, const Contact* contact,
+int Outline::roots(const PlaneLine& line, bool zero_is_negative, uint32_t index, const Contact* contact,
                    std::array<double, 3>& w) const {
     const CurvePiece& piece = pieces_[index];
     std::array<double, 4> b{};
+    const auto is_negative = [&](double side) { return side < 0.0 || (side == 0.0 && zero_is_negative); };
     int negative = 0;
     for (int i = 0; i <= piece.degree; ++i) {
         b[static_cast<size_t>(i)] = line.side(piece.control[static_cast<size_t>(i)]);
-        negative += b[static_cast<size_t>(i)] < 0.0 ? 1 : 0;
+        negative += is_negative(b[static_cast<size_t>(i)]) ? 1 : 0;
     }
     // A Bezier curve lies in the hull of its control points.
     if (negative == 0 || negative == piece.degree + 1) {
         if (!contact) return 0;
     }
-    bool start = b[0] < 0.0;
-    const bool end = b[static_cast<size_t>(piece.degree)] < 0.0;
+    bool start = is_negative(b[0]);
+    const bool end = is_negative(b[static_cast<size_t>(piece.degree)]);
     auto c = CurvePiece::powers(b, piece.degree);
     int degree = piece.degree;
     if (contact) {

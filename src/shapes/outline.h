@@ -68,9 +68,13 @@ public:
     template <class Sink>
     void crossings(const PlaneLine& line, const Contact* contact, Sink&& sink) const {
         if (misses_box(line)) return;
+        // A line that runs along a straight edge meets the region, but not one along y (as measured).
+        const bool touch_counts = line.b != 0.0;
+        const bool zero_is_negative = (line.side(0.5 * (lo_ + hi_)) >= 0.0) == touch_counts;
         for (uint32_t i = 0; i < pieces_.size(); ++i) {
             std::array<double, 3> w;
-            const int n = roots(line, i, contact && contact->piece == i ? contact : nullptr, w);
+            const int n =
+                roots(line, zero_is_negative, i, contact && contact->piece == i ? contact : nullptr, w);
             for (int k = 0; k < n; ++k) sink(i, w[static_cast<size_t>(k)]);
         }
     }
@@ -94,7 +98,8 @@ private:
             rounding * (std::abs(x0) + std::abs(x1) + std::abs(y0) + std::abs(y1) + std::abs(line.c));
         return least > margin || most < -margin;
     }
-    int roots(const PlaneLine& line, uint32_t piece, const Contact* contact, std::array<double, 3>& w) const;
+    int roots(const PlaneLine& line, bool zero_is_negative, uint32_t piece, const Contact* contact,
+              std::array<double, 3>& w) const;
 
     std::vector<CurvePiece> pieces_;
     Vec2 lo_{0.0};

@@ -294,10 +294,21 @@ bool TurnedShape::meets_cap(const Line& line, uint32_t cap, double& t) const {
     return side(line, cap_rim(cap)) < 0.0;
 }
 
+/// A tessellated copy knows the piece but not where on it.
+double TurnedShape::parameter_at(const Vec3& local, const Crossing& at) const {
+    const TurnedPiece& piece = curve_->pieces[at.part];
+    const Vec2 p{std::hypot(local.x, local.z), local.y};
+    constexpr double near = 1e-6;
+    double w = at.at.x;
+    if (glm::length(piece.at(w) - p) > near * (p.x + glm::length(piece.end - piece.start)))
+        nearest_on(piece, p, w);
+    return w;
+}
+
 Vec3 TurnedShape::normal(const Vec3& p, const Crossing& at) const {
     if (at.part >= base_cap()) return object_from_local_.normal({0, at.part == base_cap() ? -1.0 : 1.0, 0});
     const Vec3 q = object_from_local_.inverse_point(p);
-    const Vec2 slope = curve_->pieces[at.part].slope(at.at.x);
+    const Vec2 slope = curve_->pieces[at.part].slope(parameter_at(q, at));
     const Vec3 n{slope.y * q.x, -slope.x, slope.y * q.z};
     if (n == Vec3{0.0}) return object_from_local_.normal({0, 1, 0});
     return object_from_local_.normal(n);
@@ -307,7 +318,7 @@ std::optional<Vec2> TurnedShape::uv(const Vec3& p, const Crossing& at) const {
     const Vec3 q = object_from_local_.inverse_point(p);
     const double u = turn_share(q.x, q.z);
     if (at.part < base_cap())
-        return Vec2{u, std::min((at.part + at.at.x) / static_cast<double>(base_cap()), 1.0)};
+        return Vec2{u, std::min((at.part + parameter_at(q, at)) / static_cast<double>(base_cap()), 1.0)};
     const double share = std::hypot(q.x, q.z) / cap_rim(at.part).x;
     return Vec2{u, at.part == base_cap() ? share - 1.0 : 2.0 - share};
 }

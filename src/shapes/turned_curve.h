@@ -97,6 +97,7 @@ private:
     void put_on_part(const ShapeRay& query, Line& line) const;
     double nearest_part(const Vec3& o, Line& line) const;
     double nearest_on(const TurnedPiece& piece, const Vec2& p, double& w) const;
+    double parameter_at(const Vec3& local, const Crossing& at) const;
     int cross(const Line& line, uint32_t piece, std::array<Hit, 12>& hits) const;
     int cross_level(const Line& line, uint32_t piece, std::array<Hit, 12>& hits) const;
     bool meets_cap(const Line& line, uint32_t cap, double& t) const;

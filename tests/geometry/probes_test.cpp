@@ -221,6 +221,11 @@ TEST(Probes, P31PrismBoundaries) {
     Probe o("prism{0,1,5,<0,0>,<1,0>,<1,1>,<0,1>,<0,0>}");
     EXPECT_FALSE(o.inside({.3, 1, .5}));
     EXPECT_TRUE(o.inside({.3, 0, .5}));
+    // Along a wall.
+    o.misses({0, .5, -5}, z);
+    o.misses({1, .5, -5}, z);
+    o.hits({-5, .5, 0}, x, {0, .5, 0}, {-1, 0, 0});
+    o.hits({-5, .5, 1}, x, {0, .5, 1}, {-1, 0, 0});
 }
 
 TEST(Probes, P46TextKerning) {
