@@ -35,7 +35,8 @@ struct colors_allowed {
 };
 struct packed_run : is<Tok::run> {};
 struct color_item : seq<ask<colors_allowed>, color> {};
-struct value_item : seq<sum> {};
+/// A text is no term of a sum: what follows it may begin with a minus.
+struct value_item : sor<text_literal, sum> {};
 struct function_item : seq<function_literal> {};
 /// A function word that no "(" follows is a plain word (`julia_fractal{... exp}`), and so is `filter` in an
 /// image.

@@ -113,6 +113,10 @@ struct ReadContext {
     ObjectPtr (*read_object)(const Block& block, const ReadContext& context) = nullptr;
     std::optional<std::string> (*find_file)(const ReadContext& context, const std::string& name,
                                             SourceRange where) = nullptr;
+    /// The path of a font file; throws if there is none.
+    std::string (*find_font)(const ReadContext& context, const std::string& name,
+                             SourceRange where) = nullptr;
+    bool unicode = false;        ///< the scene's charset is utf8 or sys
     Session* session = nullptr;  ///< the front end's own; opaque here
 };
 

@@ -28,6 +28,11 @@ ReadContext Session::context() {
     context.find_file = [](const ReadContext& c, const std::string& name, SourceRange where) {
         return find_file(*c.session, name, SoughtFile::image, where);
     };
+    context.find_font = [](const ReadContext& c, const std::string& name, SourceRange where) {
+        if (auto path = find_file(*c.session, name, SoughtFile::font, where)) return *path;
+        throw missing_file(*c.session, name, SoughtFile::font, where, "Cannot open font file.");
+    };
+    context.unicode = charset != Charset::ascii;
     return context;
 }
 

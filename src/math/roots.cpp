@@ -301,6 +301,48 @@ bool changes_sign(const std::array<double, 5>& c, double lo, double hi) {
     return Isolation<4>(c, nullptr, 0).changes_sign(lo, hi);
 }
 
+template <size_t N>
+int sign_changes(const std::array<double, N + 1>& c, bool negative_at_0, bool negative_at_1,
+                 std::span<double, N> roots) {
+    double cuts[N + 1];
+    int pieces = 0;
+    if constexpr (N == 2) {
+        const double turn = -0.5 * c[1] / c[0];
+        if (turn > 0.0 && turn < 1.0) cuts[pieces++] = turn;
+    } else if constexpr (N > 2) {
+        std::array<double, N> derivative;
+        for (size_t i = 0; i < N; ++i) derivative[i] = static_cast<double>(N - i) * c[i];
+        pieces = roots_in<N - 1>(derivative, 0.0, 1.0, cuts);
+    }
+    cuts[pieces] = 1.0;
+    const auto signed_value = [](double f, bool negative) {
+        if (f != 0.0 && (f < 0.0) == negative) return f;
+        return negative ? -std::numeric_limits<double>::min() : std::numeric_limits<double>::min();
+    };
+    double a = 0.0;
+    double fa = signed_value(c[N], negative_at_0);
+    int n = 0;
+    for (int i = 0; i <= pieces; ++i) {
+        const bool last = i == pieces;
+        const double b = cuts[i];
+        double fb = value_at<N>(c, b).f;
+        fb = signed_value(fb, last ? negative_at_1 : fb < 0.0);
+        if ((fa < 0.0) != (fb < 0.0) && n < static_cast<int>(N)) {
+            roots[static_cast<size_t>(n++)] = root_between<N>(c, a, fa, b, fb);
+        }
+        a = b;
+        fa = fb;
+    }
+    return n;
+}
+
+template int sign_changes<1>(const std::array<double, 2>&, bool, bool, std::span<double, 1>);
+template int sign_changes<2>(const std::array<double, 3>&, bool, bool, std::span<double, 2>);
+template int sign_changes<3>(const std::array<double, 4>&, bool, bool, std::span<double, 3>);
+template int sign_changes<4>(const std::array<double, 5>&, bool, bool, std::span<double, 4>);
+template int sign_changes<5>(const std::array<double, 6>&, bool, bool, std::span<double, 5>);
+template int sign_changes<6>(const std::array<double, 7>&, bool, bool, std::span<double, 6>);
+
 double root_bound(std::span<const double> coefficients) {
     size_t first = 0;
     while (first < coefficients.size() && coefficients[first] == 0.0) ++first;

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <span>
 
 namespace rb {
@@ -21,6 +22,13 @@ int solve_quartic(const std::array<double, 5>& c, double lo, double hi, std::spa
 /// True if the polynomial changes its sign within [lo, hi]: as the above, without asking where.
 bool changes_sign(const std::array<double, 4>& c, double lo, double hi);
 bool changes_sign(const std::array<double, 5>& c, double lo, double hi);
+
+/// Where a polynomial of degree N = 1 to 6 (highest power first) changes its sign between 0 and 1,
+/// ascending; returns their number. The signs at 0 and 1 are given, and their number agrees with them: so
+/// pieces of a curve that share an end and its sign have together neither a gap nor a double root there.
+template <size_t N>
+int sign_changes(const std::array<double, N + 1>& c, bool negative_at_0, bool negative_at_1,
+                 std::span<double, N> roots);
 
 /// A radius that holds all real roots (Cauchy's bound), for callers without an interval. Leading zeros are
 /// skipped.

@@ -156,8 +156,12 @@ Vec3 MeshShape::normal(const Vec3&, const Crossing& at) const {
 std::optional<Vec2> MeshShape::uv(const Vec3&, const Crossing& at) const {
     if (data_.face_uvs.empty()) return Vec2{0.0};
     const auto& i = data_.face_uvs[at.part];
-    return data_.uvs[i[0]] * (1.0 - at.at.x - at.at.y) + data_.uvs[i[1]] * at.at.x +
-           data_.uvs[i[2]] * at.at.y;
+    const Vec2 w =
+        data_.uvs[i[0]] * (1.0 - at.at.x - at.at.y) + data_.uvs[i[1]] * at.at.x + data_.uvs[i[2]] * at.at.y;
+    if (!data_.uv_corners) return w;
+    const auto& corner = *data_.uv_corners;
+    return (1.0 - w.y) * ((1.0 - w.x) * corner[0] + w.x * corner[1]) +
+           w.y * ((1.0 - w.x) * corner[3] + w.x * corner[2]);
 }
 
 int MeshShape::textures_at(const Crossing& at, std::array<TextureWeight, 3>& out) const {

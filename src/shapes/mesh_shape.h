@@ -3,6 +3,8 @@
 #include "kdtree/kdtree.h"
 #include "scene/shape.h"
 
+#include <functional>
+
 namespace rb {
 
 constexpr uint32_t no_index = std::numeric_limits<uint32_t>::max();
@@ -17,6 +19,11 @@ struct MeshData {
     /// texture.
     std::vector<std::array<uint32_t, 3>> face_textures;
     std::optional<Vec3> inside_vector;
+    /// Where the corners (0,0), (1,0), (1,1), (0,1) of the interpolated uv come to lie; empty: as they are.
+    std::optional<std::array<Vec2, 4>> uv_corners;
+    /// Makes the shape anew under a map, where its triangles depend on where it stands; empty: they do not.
+    std::function<ShapePtr(const Transform&)> moved;
+    std::optional<Bounds> extent;  ///< for min_extent and max_extent, where it is not the mesh's own box
 };
 
 /// A triangle mesh with its own kD-tree, shared by all copies of the object.
@@ -27,6 +34,7 @@ public:
 
     std::string_view keyword() const override { return keyword_; }
     Bounds bounds() const override { return bounds_; }
+    Bounds language_extent() const override { return data_.extent.value_or(bounds_); }
     bool inside(const Vec3& p) const override;
     bool is_patch() const override { return !data_.inside_vector; }
     bool is_faceted() const override { return true; }
@@ -37,6 +45,9 @@ public:
     std::optional<Vec2> uv(const Vec3& p, const Crossing& at) const override;
     std::span<const TexturePtr> textures() const override { return data_.textures; }
     int textures_at(const Crossing& at, std::array<TextureWeight, 3>& out) const override;
+    ShapePtr transformed(const Transform& map) const override {
+        return data_.moved ? data_.moved(map) : nullptr;
+    }
     std::optional<TriangleMesh> tessellate(double tolerance) const override;
     std::string describe() const override;
 

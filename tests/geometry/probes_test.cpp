@@ -177,6 +177,102 @@ TEST(Probes, P55PatchInDifference) {
     o.hits({0, 0, -5}, z, {0, 0, 0}, {0, 0, -1});
 }
 
+TEST(Probes, P25LatheCubic) {
+    Probe o("lathe{cubic_spline 5,<1,-1>,<1,0>,<.5,1>,<1,2>,<0,3>}");
+    o.hits({.2, .5, -5}, z, {.2, .5, -.6903634}, {.2292986, .5665288, -.7914968});
+    o.hits({.2, 1.5, -5}, z, {.2, 1.5, -.7552162}, {.1986852, -.6305926, -.7502514});
+    expect_near(o.extent().hi, {1.0081482, 2, 1.0081482}, "max");
+}
+
+TEST(Probes, P26LatheQuadratic) {
+    Probe o("lathe{quadratic_spline 5,<1,-1>,<1,0>,<.5,1>,<1,2>,<0,3>}");
+    o.hits({.2, .5, -5}, z, {.2, .5, -.7875}, {.2201667, .4472136, -.8669064});
+    o.hits({.2, 1.5, -5}, z, {.2, 1.5, -.592136}, {.2862167, -.4472136, -.847396});
+}
+
+TEST(Probes, P27LatheBezier) {
+    Probe o("lathe{bezier_spline 4,<1,0>,<2,0>,<2,1>,<1,1>}");
+    o.hits({.2, .5, -5}, z, {.2, .5, -1.7385339}, {.1142857, 0, -.9934479});
+    EXPECT_FALSE(o.inside({.5, .5, 0}));
+    EXPECT_TRUE(o.inside({1.5, .5, 0}));
+}
+
+TEST(Probes, P28Sor) {
+    Probe o("sor{5,<.5,-1>,<1,0>,<.5,1>,<.8,2>,<.5,3>}");
+    o.hits({.2, .5, -5}, z, {.2, .5, -.7729812}, {.2062842, .5672817, -.7972693});
+    o.hits({.2, 5, 0}, -y, {.2, 2, 0}, {0, 1, 0});
+}
+
+TEST(Probes, P29PrismCubic) {
+    Probe o("prism{cubic_spline 0,1,7,<0,1>,<0,0>,<1,0>,<1,1>,<0,1>,<0,0>,<1,0>}");
+    o.hits({.3, .4, -5}, z, {.3, .4, -.1116345}, {-.1384182, 0, -.9903739});
+    expect_near(o.extent().lo, {-.125, 0, -.125}, "min");
+    expect_near(o.extent().hi, {1.125, 1, 1.125}, "max");
+}
+
+TEST(Probes, P30PrismConic) {
+    Probe o("prism{conic_sweep linear_spline 0.5,1,5,<-1,-1>,<1,-1>,<1,1>,<-1,1>,<-1,-1>}");
+    o.hits({.3, .7, -5}, z, {.3, .7, -.7}, {0, -.7071068, -.7071068});
+    o.hits({.3, -5, .4}, y, {.3, .5, .4}, {0, 1, 0});
+    expect_near(o.extent().lo, {-1, .5, -1}, "min");
+}
+
+TEST(Probes, P31PrismBoundaries) {
+    Probe o("prism{0,1,5,<0,0>,<1,0>,<1,1>,<0,1>,<0,0>}");
+    EXPECT_FALSE(o.inside({.3, 1, .5}));
+    EXPECT_TRUE(o.inside({.3, 0, .5}));
+    // Along a wall.
+    o.misses({0, .5, -5}, z);
+    o.misses({1, .5, -5}, z);
+    o.hits({-5, .5, 0}, x, {0, .5, 0}, {-1, 0, 0});
+    o.hits({-5, .5, 1}, x, {0, .5, 1}, {-1, 0, 0});
+}
+
+TEST(Probes, P46TextKerning) {
+    Probe o("text{internal 1 \"AV\" 1,0}");
+    expect_near(o.extent().lo, {-.0000121, -.0160175, -.0000236}, "min");
+    expect_near(o.extent().hi, {1.2780178, .6960223, 1.0000131}, "max");
+}
+
+TEST(Probes, P47TextOffset) {
+    Probe o("text{internal 1 \"AAA\" 1,<0.1,0.2,0.3>}");
+    expect_near(o.extent().hi, {2.4360175, 1.0960425, 1.0000201}, "max");
+    // A negative thickness behind the string is no subtraction.
+    expect_near(Probe("text{internal 1 \"AV\" -0.3,0}").extent().lo, {-.0000174, -.016, -.3000216}, "min");
+    expect_near(Probe("text{internal 2 \" a b\" 0.3,<0.1,0,0>}").extent().hi, {1.9040054, .7280332, .3000137},
+                "max");
+}
+
+TEST(Probes, P48TextFaces) {
+    Probe o("text{internal 2 \"o\" 0.3,0}");
+    o.hits({.05, .2, -5}, z, {.05, .2, .0000026}, {-.0000175, .0000175, -1});
+    o.hits({-5, .25, .1}, x, {.0001262, .25, .1}, {.9996641, .0259179, -.000017});
+    EXPECT_TRUE(o.inside({.05, .2, .1}));
+    EXPECT_FALSE(o.inside({.25, .25, .1}));
+}
+
+TEST(Probes, P19PolygonWithHole) {
+    Probe o("polygon{10,<0,0>,<1,0>,<1,1>,<0,1>,<0,0>,<.2,.2>,<.8,.2>,<.8,.8>,<.2,.8>,<.2,.2>}");
+    o.hits({.1, .4, -5}, z, {.1, .4, 0}, {0, 0, 1});
+    o.misses({.5, .5, -5}, z);
+}
+
+constexpr const char* patch_points =
+    "<0,0,0>,<1,0,0>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,1>,<2,1,1>,<3,1,0>,"
+    "<0,2,0>,<1,2,1>,<2,2,1>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,0>}";
+
+TEST(Probes, P20BicubicPatchTwoSteps) {
+    Probe o("bicubic_patch{type 1 flatness 0 u_steps 2 v_steps 2 " + std::string(patch_points));
+    o.hits({1.5, 1.4, -5}, z, {1.5, 1.4, .54375}, {0, .0471648, -.9988871});
+    o.hits({.5, 1.1, -5}, z, {.5, 1.1, .2601562}, {.3832156, .0527727, -.9221501});
+    expect_near(o.extent().hi, {3, 3, 1}, "max");
+}
+
+TEST(Probes, P21BicubicPatchDefaultSteps) {
+    Probe o("bicubic_patch{type 1 " + std::string(patch_points));
+    o.hits({1.5, 1.4, -5}, z, {1.5, 1.4, 0}, {0, 0, -1});
+}
+
 TEST(Probes, P50CoincidentBoxes) {
     Probe o("difference{box{0,1} box{0,1}}");
     o.hits({.3, .4, -5}, z, {.3, .4, 0}, {0, 0, 1});

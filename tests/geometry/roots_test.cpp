@@ -99,5 +99,21 @@ TEST(Roots, PairsOfCloseRoots) {
     }
 }
 
+TEST(Roots, SignChangesObeyTheGivenEnds) {
+    // (x - 1/4)(x - 1/2)(x - 3/4), and an end exactly on a root, where the given sign decides.
+    std::array<double, 3> got{};
+    ASSERT_EQ(sign_changes<3>({1, -1.5, 0.6875, -0.09375}, true, false, got), 3);
+    for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(got[k], 0.25 * static_cast<double>(k + 1), 1e-15);
+    std::array<double, 2> two{};
+    EXPECT_EQ(sign_changes<2>({1, -0.5, 0}, false, false, two), 2);
+    EXPECT_NEAR(two[1], 0.5, 1e-15);
+    EXPECT_EQ(sign_changes<2>({1, -0.5, 0}, true, false, two), 1);
+    EXPECT_NEAR(two[0], 0.5, 1e-15);
+    std::array<double, 6> six{};
+    // x^6 - 2^-6
+    EXPECT_EQ(sign_changes<6>({1, 0, 0, 0, 0, 0, -0.015625}, true, false, six), 1);
+    EXPECT_NEAR(six[0], 0.5, 1e-15);
+}
+
 }  // namespace
 }  // namespace rb

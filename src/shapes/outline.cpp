@@ -1,0 +1,219 @@
+#include "shapes/outline.h"
+
+#include <cmath>
+#include <limits>
+
+namespace rb {
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// Includes the extremes between the ends.
+void include_piece(const CurvePiece& piece, Vec2& lo, Vec2& hi) {
+    lo = glm::min(lo, glm::min(piece.start(), piece.end()));
+    hi = glm::max(hi, glm::max(piece.start(), piece.end()));
+    if (piece.degree == 1) return;
+    for (int axis = 0; axis < 2; ++axis) {
+        std::array<double, 4> b{};
+        for (size_t i = 0; i < 4; ++i) b[i] = piece.control[i][axis];
+        const auto c = CurvePiece::powers(b, piece.degree);
+        std::array<double, 2> turns{};
+        const int n = solve_quadratic(3.0 * c[0], c[1], c[2], turns);
+        for (int i = 0; i < n; ++i) {
+            const double w = turns[static_cast<size_t>(i)];
+            if (!(w > 0.0 && w < 1.0)) continue;
+            const double x = piece.at(w)[axis];
+            lo[axis] = std::min(lo[axis], x);
+            hi[axis] = std::max(hi[axis], x);
+        }
+    }
+}
+
+double box_distance(const CurvePiece& piece, const Vec2& p) {
+    Vec2 lo = piece.start();
+    Vec2 hi = lo;
+    for (int i = 1; i <= piece.degree; ++i) {
+        lo = glm::min(lo, piece.control[static_cast<size_t>(i)]);
+        hi = glm::max(hi, piece.control[static_cast<size_t>(i)]);
+    }
+    return glm::length(glm::max(glm::max(lo - p, p - hi), Vec2{0.0}));
+}
+
+/// Bound on the distance between a piece and its chords when it is cut into n equal parts: |second
+/// derivative| / (8 n^2).
+int parts_within(const CurvePiece& piece, double tolerance) {
+    if (piece.degree == 1) return 1;
+    double bend = 0;
+    for (int i = 0; i + 2 <= piece.degree; ++i) {
+        const auto k = static_cast<size_t>(i);
+        bend =
+            std::max(bend, glm::length(piece.control[k] - 2.0 * piece.control[k + 1] + piece.control[k + 2]));
+    }
+    bend *= piece.degree * (piece.degree - 1);
+    constexpr double most = 4096;
+    return static_cast<int>(std::clamp(std::ceil(std::sqrt(bend / (8.0 * tolerance))), 1.0, most));
+}
+
+}  // namespace
+
+Vec2 CurvePiece::at(double w) const {
+    const double v = 1.0 - w;
+    switch (degree) {
+        case 1:
+            return v * control[0] + w * control[1];
+        case 2:
+            return v * v * control[0] + 2.0 * v * w * control[1] + w * w * control[2];
+        default:
+            return v * v * v * control[0] + 3.0 * v * v * w * control[1] + 3.0 * v * w * w * control[2] +
+                   w * w * w * control[3];
+    }
+}
+
+Vec2 CurvePiece::slope(double w) const {
+    const double v = 1.0 - w;
+    switch (degree) {
+        case 1:
+            return control[1] - control[0];
+        case 2:
+            return 2.0 * (v * (control[1] - control[0]) + w * (control[2] - control[1]));
+        default:
+            return 3.0 * (v * v * (control[1] - control[0]) + 2.0 * v * w * (control[2] - control[1]) +
+                          w * w * (control[3] - control[2]));
+    }
+}
+
+std::array<double, 4> CurvePiece::powers(const std::array<double, 4>& b, int degree) {
+    switch (degree) {
+        case 1:
+            return {0.0, 0.0, b[1] - b[0], b[0]};
+        case 2:
+            return {0.0, b[0] - 2.0 * b[1] + b[2], 2.0 * (b[1] - b[0]), b[0]};
+        default:
+            return {b[3] - b[0] + 3.0 * (b[1] - b[2]), 3.0 * (b[0] - 2.0 * b[1] + b[2]), 3.0 * (b[1] - b[0]),
+                    b[0]};
+    }
+}
+
+CurvePiece spline_piece(SplineKind kind, const Vec2* p) {
+    switch (kind) {
+        case SplineKind::linear:
+            return {{p[0], p[1]}, 1};
+        case SplineKind::quadratic:
+            return {{p[1], p[1] + 0.25 * (p[2] - p[0]), p[2]}, 2};
+        case SplineKind::cubic:
+            return {{p[1], p[1] + (p[2] - p[0]) / 6.0, p[2] - (p[3] - p[1]) / 6.0, p[2]}, 3};
+        case SplineKind::bezier:
+            break;
+    }
+    return {{p[0], p[1], p[2], p[3]}, 3};
+}
+
+Outline::Outline(std::vector<CurvePiece> pieces) : pieces_(std::move(pieces)) {
+    if (pieces_.empty()) return;
+    lo_ = Vec2{inf};
+    hi_ = Vec2{-inf};
+    for (const CurvePiece& piece : pieces_) include_piece(piece, lo_, hi_);
+}
+
+Outline::Contact Outline::nearest_on(uint32_t index, const Vec2& p) const {
+    const CurvePiece& piece = pieces_[index];
+    const auto distance_at = [&](double w) { return glm::length(piece.at(w) - p); };
+    Contact best{index, 0.0, distance_at(0.0)};
+    const auto offer = [&](double w) {
+        const double d = distance_at(w);
+        if (d < best.distance) best = {index, w, d};
+    };
+    offer(1.0);
+    if (piece.degree == 1) {
+        const Vec2 along = piece.end() - piece.start();
+        const double length = glm::dot(along, along);
+        if (length > 0.0) offer(std::clamp(glm::dot(p - piece.start(), along) / length, 0.0, 1.0));
+        return best;
+    }
+    constexpr int samples = 16;
+    for (int i = 1; i < samples; ++i) offer(static_cast<double>(i) / samples);
+    // Gauss and Newton: the point lies on the curve, or so near that its second derivative does not matter.
+    double w = best.w;
+    for (int i = 0; i < 20; ++i) {
+        const Vec2 along = piece.slope(w);
+        const double length = glm::dot(along, along);
+        if (!(length > 0.0)) break;
+        const double next = std::clamp(w + glm::dot(p - piece.at(w), along) / length, 0.0, 1.0);
+        if (next == w) break;
+        w = next;
+        offer(w);
+    }
+    return best;
+}
+
+Outline::Contact Outline::nearest(const Vec2& p, double within) const {
+    Contact best{0, 0.0, within};
+    if (glm::length(glm::max(glm::max(lo_ - p, p - hi_), Vec2{0.0})) >= within) return best;
+    for (uint32_t i = 0; i < pieces_.size(); ++i) {
+        if (box_distance(pieces_[i], p) >= best.distance) continue;
+        const Contact found = nearest_on(i, p);
+        if (found.distance < best.distance) best = found;
+    }
+    return best;
+}
+
+int Outline::roots(const PlaneLine& line, bool zero_is_negative, uint32_t index, const Contact* contact,
+                   std::array<double, 3>& w) const {
+    const CurvePiece& piece = pieces_[index];
+    std::array<double, 4> b{};
+    const auto is_negative = [&](double side) { return side < 0.0 || (side == 0.0 && zero_is_negative); };
+    int negative = 0;
+    for (int i = 0; i <= piece.degree; ++i) {
+        b[static_cast<size_t>(i)] = line.side(piece.control[static_cast<size_t>(i)]);
+        negative += is_negative(b[static_cast<size_t>(i)]) ? 1 : 0;
+    }
+    // A Bezier curve lies in the hull of its control points.
+    if (negative == 0 || negative == piece.degree + 1) {
+        if (!contact) return 0;
+    }
+    bool start = is_negative(b[0]);
+    const bool end = is_negative(b[static_cast<size_t>(piece.degree)]);
+    auto c = CurvePiece::powers(b, piece.degree);
+    int degree = piece.degree;
+    if (contact) {
+        // Divided by w - contact: the other crossings stay where they are.
+        for (size_t i = 1; i < 4; ++i) c[i] += contact->w * c[i - 1];
+        c = {0.0, c[0], c[1], c[2]};
+        start = !start;
+        --degree;
+    }
+    switch (degree) {
+        case 0:
+            return 0;
+        case 1:
+            return sign_changes<1>({c[2], c[3]}, start, end, std::span<double, 1>(w.data(), 1));
+        case 2:
+            return sign_changes<2>({c[1], c[2], c[3]}, start, end, std::span<double, 2>(w.data(), 2));
+        default:
+            return sign_changes<3>(c, start, end, w);
+    }
+}
+
+bool Outline::contains(const Vec2& p) const {
+    if (p.x < lo_.x || p.x > hi_.x || p.y < lo_.y || p.y > hi_.y) return false;
+    bool in = false;
+    crossings({0.0, 1.0, -p.y}, nullptr, [&](uint32_t piece, double w) {
+        if (pieces_[piece].at(w).x >= p.x) in = !in;
+    });
+    return in;
+}
+
+std::vector<std::vector<Vec2>> Outline::flattened(double tolerance) const {
+    std::vector<std::vector<Vec2>> loops;
+    const CurvePiece* before = nullptr;
+    for (const CurvePiece& piece : pieces_) {
+        if (!before || before->end() != piece.start()) loops.emplace_back();
+        const int parts = parts_within(piece, tolerance);
+        for (int i = 0; i < parts; ++i) loops.back().push_back(piece.at(static_cast<double>(i) / parts));
+        before = &piece;
+    }
+    return loops;
+}
+
+}  // namespace rb

@@ -1,0 +1,109 @@
+#pragma once
+#include "math/roots.h"
+#include "math/vec.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace rb {
+
+/// A piece of a plane curve as a Bezier curve of degree 1, 2 or 3: control[0] is its start, control[degree]
+/// its end.
+struct CurvePiece {
+    std::array<Vec2, 4> control{};
+    int degree = 1;
+
+    const Vec2& start() const { return control[0]; }
+    const Vec2& end() const { return control[static_cast<size_t>(degree)]; }
+    Vec2 at(double w) const;
+    Vec2 slope(double w) const;  ///< derivative by w
+    /// Power coefficients of a function that takes the values `b` at the control points, highest first,
+    /// filled with leading zeros.
+    static std::array<double, 4> powers(const std::array<double, 4>& b, int degree);
+};
+
+/// The rules by which the language joins points to a curve (manual 3.5.1.6, 3.5.1.9).
+enum class SplineKind { linear, quadratic, cubic, bezier };
+
+/// One piece of a spline from the points at and around it: linear p[0] p[1], quadratic p[0..2] from p[1] to
+/// p[2], cubic (Catmull-Rom) p[0..3] from p[1] to p[2], bezier p[0..3].
+CurvePiece spline_piece(SplineKind kind, const Vec2* p);
+
+/// The line a x + b y + c = 0 in a plane.
+struct PlaneLine {
+    double a = 0;
+    double b = 0;
+    double c = 0;
+    double side(const Vec2& p) const { return a * p.x + b * p.y + c; }
+};
+
+/// A region of the plane: what closed curves enclose by the even-odd rule. The pieces of a curve follow each
+/// other, and where one ends the next begins with the same numbers.
+class Outline {
+public:
+    Outline() = default;
+    explicit Outline(std::vector<CurvePiece> pieces);
+
+    const std::vector<CurvePiece>& pieces() const { return pieces_; }
+    const Vec2& lo() const { return lo_; }  ///< tight box
+    const Vec2& hi() const { return hi_; }
+
+    /// A point on a piece that a line is known to pass through.
+    struct Contact {
+        uint32_t piece = 0;
+        double w = 0;
+        double distance = 0;
+    };
+    /// The point of the curves that is nearest to `p`, if it is nearer than `within`; else distance is
+    /// `within`.
+    Contact nearest(const Vec2& p, double within = std::numeric_limits<double>::infinity()) const;
+    Contact nearest_on(uint32_t piece, const Vec2& p) const;
+
+    /// Hands the line's crossings with the curves to sink(piece, w), an even number together with the
+    /// `contact`, which is left out (may be null).
+    template <class Sink>
+    void crossings(const PlaneLine& line, const Contact* contact, Sink&& sink) const {
+        if (misses_box(line)) return;
+        // A line that runs along a straight edge meets the region, but not one along y (as measured).
+        const bool touch_counts = line.b != 0.0;
+        const bool zero_is_negative = (line.side(0.5 * (lo_ + hi_)) >= 0.0) == touch_counts;
+        for (uint32_t i = 0; i < pieces_.size(); ++i) {
+            std::array<double, 3> w;
+            const int n =
+                roots(line, zero_is_negative, i, contact && contact->piece == i ? contact : nullptr, w);
+            for (int k = 0; k < n; ++k) sink(i, w[static_cast<size_t>(k)]);
+        }
+    }
+
+    /// Points on the boundary belong to the region on the side of smaller x (spec: geometry 13.4).
+    bool contains(const Vec2& p) const;
+
+    /// Closed polygons within `tolerance` of the curves.
+    std::vector<std::vector<Vec2>> flattened(double tolerance) const;
+
+private:
+    bool misses_box(const PlaneLine& line) const {
+        const double x0 = line.a * lo_.x;
+        const double x1 = line.a * hi_.x;
+        const double y0 = line.b * lo_.y;
+        const double y1 = line.b * hi_.y;
+        const double least = std::min(x0, x1) + std::min(y0, y1) + line.c;
+        const double most = std::max(x0, x1) + std::max(y0, y1) + line.c;
+        constexpr double rounding = 1e-14;
+        const double margin =
+            rounding * (std::abs(x0) + std::abs(x1) + std::abs(y0) + std::abs(y1) + std::abs(line.c));
+        return least > margin || most < -margin;
+    }
+    int roots(const PlaneLine& line, bool zero_is_negative, uint32_t piece, const Contact* contact,
+              std::array<double, 3>& w) const;
+
+    std::vector<CurvePiece> pieces_;
+    Vec2 lo_{0.0};
+    Vec2 hi_{0.0};
+};
+
+}  // namespace rb
