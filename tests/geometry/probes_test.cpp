@@ -172,6 +172,25 @@ TEST(Probes, P18Mesh2Solid) {
     o.hits({.1, .1, 5}, -z, {.1, .1, .8}, {-.5773503, -.5773503, -.5773503});
 }
 
+TEST(Probes, P22BlobSphere) {
+    Probe o("blob{threshold 0.5 sphere{0,2,1}}");
+    o.hits({.3, .1, -5}, z, {.3, .1, -1.035168}, {.2771639, .092388, -.9563706});
+    // The reference misses what is nearer than 0.01.
+    o.hits({0, 0, -1.1024}, z, {0, 0, -1.0823922}, {0, 0, -1});
+}
+
+TEST(Probes, P23BlobCylinder) {
+    Probe o("blob{threshold 0.5 cylinder{0,<0,2,0>,1,1}}");
+    o.hits({.1, 1, -5}, z, {.1, 1, -.5318771}, {.1847759, 0, -.9827807});
+    o.hits({0, 5, 0}, -y, {0, 2.5411961, 0}, {0, 1, 0});
+    expect_near(o.extent().hi, {1.4142135, 3, 1.4142135}, "max");
+}
+
+TEST(Probes, P24BlobOfTwo) {
+    Probe o("blob{threshold 0.6 sphere{0,1,1} sphere{<.9,0,0>,1,1}}");
+    o.hits({.45, .1, -5}, z, {.45, .1, -.4896707}, {0, .2000891, -.9797777});
+}
+
 TEST(Probes, P55PatchInDifference) {
     Probe o("difference{sphere{0,1} triangle{<-1,-1,0>,<1,-1,0>,<0,1,0>}}");
     o.hits({0, 0, -5}, z, {0, 0, 0}, {0, 0, -1});
