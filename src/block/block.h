@@ -114,8 +114,8 @@ struct ReadContext {
     ObjectPtr (*read_object)(const Block& block, const ReadContext& context) = nullptr;
     std::optional<std::string> (*find_file)(const ReadContext& context, const std::string& name,
                                             SourceRange where) = nullptr;
-    /// Take a transformation, or a `texture`, `pigment`, `normal` or `finish` on top of `layers` (null: none yet),
-    /// if one is next: for shapes whose parts have their own (blob).
+    /// Take a transformation, or a `texture`, `pigment`, `normal` or `finish` on top of `layers` (null: none
+    /// yet), if one is next: for shapes whose parts have their own (blob).
     bool (*take_transformation)(BlockReader& in, Transform& map) = nullptr;
     bool (*take_texture)(BlockReader& in, TexturePtr& layers) = nullptr;
     Session* session = nullptr;  ///< the front end's own; opaque here
