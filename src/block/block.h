@@ -97,6 +97,7 @@ struct Block {
 std::string dump(const Block& block, int indent = 0);
 
 struct Session;
+class BlockReader;
 
 /// Defaults that `#default` edits, and the facts that readers depend on at one place of the scene.
 struct ReadContext {
@@ -116,7 +117,11 @@ struct ReadContext {
     /// The path of a font file; throws if there is none.
     std::string (*find_font)(const ReadContext& context, const std::string& name,
                              SourceRange where) = nullptr;
-    bool unicode = false;        ///< the scene's charset is utf8 or sys
+    bool unicode = false;  ///< the scene's charset is utf8 or sys
+    /// Take a transformation, or a `texture`, `pigment`, `normal` or `finish` on top of `layers` (null: none
+    /// yet), if one is next: for shapes whose parts have their own (blob).
+    bool (*take_transformation)(BlockReader& in, Transform& map) = nullptr;
+    bool (*take_texture)(BlockReader& in, TexturePtr& layers) = nullptr;
     Session* session = nullptr;  ///< the front end's own; opaque here
 };
 

@@ -307,6 +307,8 @@ void Flattener::add_leaf(const Object& object, const Inherited& own, uint32_t no
     if (own.hollow) draft_->slots[own.slot].hollow = true;
     surface.interior = interior_index(own, opaque);
     if (!textures.empty()) {
+        // Components that bring textures show them from within, too (spec: geometry 12.4).
+        if (leaf.shape->keyword() == "blob") surface.interior_texture.reset();
         // The run of surfaces must be contiguous, so these are not shared with others.
         leaf.first_texture_surface = static_cast<uint32_t>(world_.surfaces.size());
         for (const TexturePtr& texture : textures) {

@@ -268,16 +268,20 @@ Vec2 Geometry::uv(const Hit& hit) const {
     return l.shape->uv(p, hit.crossing).value_or(Vec2{hit.point.x, hit.point.y});
 }
 
-int Geometry::surfaces_at(const Hit& hit, std::array<SurfaceWeight, 3>& out) const {
+void Geometry::surfaces_at(const Hit& hit, std::vector<SurfaceWeight>& out) const {
+    out.clear();
     const Leaf& l = leaf(hit.leaf);
-    out[0] = {l.surface, 1.0f};
-    if (l.first_texture_surface == no_surface) return 1;
-    std::array<TextureWeight, 3> textures;
-    const int n = l.shape->textures_at(hit.crossing, textures);
-    for (size_t i = 0; i < static_cast<size_t>(n); ++i) {
-        out[i] = {l.first_texture_surface + textures[i].texture, textures[i].weight};
+    if (l.first_texture_surface != no_surface) {
+        thread_local std::vector<TextureWeight> textures;
+        textures.clear();
+        const Vec3 p = l.in_world_space ? hit.point : l.object_from_world.point(hit.point);
+        l.shape->textures_at(p, hit.crossing, textures);
+        for (const TextureWeight& t : textures) {
+            const bool own = t.texture == own_texture;
+            out.push_back({own ? l.surface : l.first_texture_surface + t.texture, t.weight});
+        }
     }
-    return std::max(n, 1);
+    if (out.empty()) out.push_back({l.surface, 1.0f});
 }
 
 }  // namespace rb

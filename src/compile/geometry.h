@@ -43,9 +43,8 @@ public:
     /// Surface coordinates for uv_mapping at a hit.
     Vec2 uv(const Hit& hit) const;
 
-    /// The surfaces that a hit wears: one, or up to three on a mesh with textures of its own. Returns the
-    /// count.
-    int surfaces_at(const Hit& hit, std::array<SurfaceWeight, 3>& out) const;
+    /// The surfaces that a hit wears: one, or several on a mesh or blob with textures of its own.
+    void surfaces_at(const Hit& hit, std::vector<SurfaceWeight>& out) const;
 
     struct Parts;
     std::unique_ptr<Parts> parts;

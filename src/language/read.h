@@ -25,6 +25,9 @@ TexturePtr layered(const TexturePtr& lower, const TexturePtr& upper, SourceRange
 /// Edits the top layer by a `pigment`, `normal` or `finish` statement.
 void edit_texture(const Block& block, const ReadContext& context, TexturePtr& layers);
 
+/// Takes a `texture`, `pigment`, `normal` or `finish` on top of `layers` (may be null) if one is next.
+bool take_texture(BlockReader& in, TexturePtr& layers);
+
 PigmentPtr read_pigment(const Block& block, const ReadContext& context, const PigmentPtr& base);
 void read_pigment_body(BlockReader& in, Pigment& pigment);
 NormalPtr read_normal(const Block& block, const ReadContext& context, const NormalPtr& base);

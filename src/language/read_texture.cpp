@@ -217,6 +217,18 @@ void edit_texture(const Block& block, const ReadContext& context, TexturePtr& la
     layers = std::move(edited);
 }
 
+bool take_texture(BlockReader& in, TexturePtr& layers) {
+    const SourceRange at = in.where();
+    if (in.at_block("texture")) {
+        layers = layered(layers, read_texture(in.block("texture"), in.context()), at);
+    } else if (in.at_block("pigment") || in.at_block("normal") || in.at_block("finish")) {
+        edit_texture(in.block(in.peek_word()), in.context(), layers);
+    } else {
+        return false;
+    }
+    return true;
+}
+
 TexturePtr initial_texture() {
     auto layers = std::make_shared<TextureLayers>(1);
     layers->front().pigment = std::make_shared<const Pigment>();

@@ -25,6 +25,8 @@ ReadContext Session::context() {
     };
     context.read_texture = [](const Block& block, const ReadContext& c) { return read_texture(block, c); };
     context.read_object = [](const Block& block, const ReadContext& c) { return read_object(block, c); };
+    context.take_transformation = take_transformation;
+    context.take_texture = take_texture;
     context.find_file = [](const ReadContext& c, const std::string& name, SourceRange where) {
         return find_file(*c.session, name, SoughtFile::image, where);
     };

@@ -19,6 +19,11 @@ int solve_cubic(const std::array<double, 4>& c, double lo, double hi, std::span<
 int solve_quartic(const std::array<double, 5>& c, double lo, double hi, std::span<double, 4> roots,
                   int most = 4);
 
+/// The same for any degree up to most_degree (highest power first); a place where the polynomial comes near
+/// zero without a change of sign is no root. `roots` has room for the degree.
+constexpr size_t most_degree = 36;
+int solve_polynomial(std::span<const double> c, double lo, double hi, std::span<double> roots);
+
 /// True if the polynomial changes its sign within [lo, hi]: as the above, without asking where.
 bool changes_sign(const std::array<double, 4>& c, double lo, double hi);
 bool changes_sign(const std::array<double, 5>& c, double lo, double hi);

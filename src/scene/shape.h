@@ -83,9 +83,12 @@ struct TriangleMesh {
     double error = 0;  ///< proven bound on the distance of any mesh point to the true surface
 };
 
+/// TextureWeight::texture where the object's own texture shows.
+constexpr uint32_t own_texture = std::numeric_limits<uint32_t>::max();
+
 /// One of several textures that a point wears at once.
 struct TextureWeight {
-    uint32_t texture = 0;
+    uint32_t texture = own_texture;
     float weight = 1;
 };
 
@@ -143,11 +146,11 @@ public:
     /// turns normals and inside.
     virtual std::shared_ptr<const Shape> inverted() const { return nullptr; }
 
-    /// Textures that parts of the surface bring along (meshes); what textures_at() indexes.
+    /// Textures that parts of the surface bring along (meshes, blobs); what textures_at() indexes.
     virtual std::span<const TexturePtr> textures() const { return {}; }
-    /// Indices into textures() and weights (sum 1) at a crossing; 0 entries where the object's own texture
-    /// shows.
-    virtual int textures_at(const Crossing&, std::array<TextureWeight, 3>&) const { return 0; }
+    /// Adds indices into textures() and weights (sum 1) at a crossing; nothing where the object's own texture
+    /// shows alone.
+    virtual void textures_at(const Vec3& /*p*/, const Crossing&, std::vector<TextureWeight>&) const {}
 
     virtual Curvature curvature() const { return Curvature::any; }
 
@@ -161,7 +164,8 @@ public:
     /// True if the surface consists of triangles already, so that tessellating it changes nothing.
     virtual bool is_faceted() const { return false; }
 
-    /// A mesh within `tolerance` (object units) of the surface; empty for a shape that has no finite surface.
+    /// A mesh within `tolerance` (object units) of the surface; empty for a shape that has no finite surface,
+    /// or none that is proven to be near enough: such a shape is always met exactly.
     virtual std::optional<TriangleMesh> tessellate(double tolerance) const = 0;
 
     /// One line per argument for `--dump scene`.

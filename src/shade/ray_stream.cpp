@@ -115,13 +115,11 @@ void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
         add_point(ray_index, hit, program_.surfaces[surface], weight, alpha);
         return;
     }
-    // One hit point of each surface that a mesh wears here.
-    std::array<SurfaceWeight, 3> worn;
-    const int count = program_.geometry.surfaces_at(hit, worn);
-    for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
-        const float share = worn[i].weight;
-        if (count > 1 && share < program_.world.settings.adc_bailout) continue;
-        add_point(ray_index, hit, program_.surfaces[worn[i].surface], weight * share, alpha * share);
+    // One hit point of each surface that a mesh or blob wears here.
+    program_.geometry.surfaces_at(hit, worn_);
+    for (const auto& [worn, share] : worn_) {
+        if (worn_.size() > 1 && share < program_.world.settings.adc_bailout) continue;
+        add_point(ray_index, hit, program_.surfaces[worn], weight * share, alpha * share);
     }
 }
 

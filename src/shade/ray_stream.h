@@ -27,7 +27,8 @@ private:
 
     const ShadingProgram& program_;
     StreamState& state_;
-    Candidates candidates_;  ///< of the rays at hand
+    Candidates candidates_;            ///< of the rays at hand
+    std::vector<SurfaceWeight> worn_;  ///< of the hit at hand
 };
 
 }  // namespace rb

@@ -150,11 +150,10 @@ Rgb ShadowTracer::filtered(const HitPoint& from, const LightVector& way, double 
 
 Rgb ShadowTracer::filter_of(const Hit& hit, const Vec3& direction, double segment,
                             std::span<const uint32_t> inside) {
-    std::array<SurfaceWeight, 3> worn;
-    const int count = program_.geometry.surfaces_at(hit, worn);
+    program_.geometry.surfaces_at(hit, worn_);
     Rgb filter(0.0f);
-    for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
-        filter += worn[i].weight * surface_filter(program_.surfaces[worn[i].surface], hit, direction);
+    for (const auto& [worn, share] : worn_) {
+        filter += share * surface_filter(program_.surfaces[worn], hit, direction);
     }
     const uint32_t own = program_.surface_of(hit.leaf).interior;
     const Interior& interior = program_.world.interiors[own].interior;

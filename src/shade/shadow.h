@@ -41,6 +41,7 @@ private:
 
     const ShadingProgram& program_;
     StreamState& state_;
+    std::vector<SurfaceWeight> worn_;  ///< of the hit at hand
 };
 
 /// Light factor that a texture lets through at one place: the product of its layers (manual 3.4.7.8).

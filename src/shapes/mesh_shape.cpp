@@ -164,16 +164,17 @@ std::optional<Vec2> MeshShape::uv(const Vec3&, const Crossing& at) const {
            w.y * ((1.0 - w.x) * corner[3] + w.x * corner[2]);
 }
 
-int MeshShape::textures_at(const Crossing& at, std::array<TextureWeight, 3>& out) const {
-    if (data_.face_textures.empty()) return 0;
+void MeshShape::textures_at(const Vec3&, const Crossing& at, std::vector<TextureWeight>& out) const {
+    if (data_.face_textures.empty()) return;
     const auto& textures = data_.face_textures[at.part];
-    if (textures[0] == no_index) return 0;
-    out[0] = {textures[0], 1.0f};
-    if (textures[1] == no_index) return 1;
-    out[0].weight = static_cast<float>(1.0 - at.at.x - at.at.y);
-    out[1] = {textures[1], static_cast<float>(at.at.x)};
-    out[2] = {textures[2], static_cast<float>(at.at.y)};
-    return 3;
+    if (textures[0] == no_index) return;
+    if (textures[1] == no_index) {
+        out.push_back({textures[0], 1.0f});
+        return;
+    }
+    out.push_back({textures[0], static_cast<float>(1.0 - at.at.x - at.at.y)});
+    out.push_back({textures[1], static_cast<float>(at.at.x)});
+    out.push_back({textures[2], static_cast<float>(at.at.y)});
 }
 
 std::optional<TriangleMesh> MeshShape::tessellate(double) const {

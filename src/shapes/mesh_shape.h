@@ -44,7 +44,7 @@ public:
     Vec3 normal(const Vec3& p, const Crossing& at) const override;
     std::optional<Vec2> uv(const Vec3& p, const Crossing& at) const override;
     std::span<const TexturePtr> textures() const override { return data_.textures; }
-    int textures_at(const Crossing& at, std::array<TextureWeight, 3>& out) const override;
+    void textures_at(const Vec3& p, const Crossing& at, std::vector<TextureWeight>& out) const override;
     ShapePtr transformed(const Transform& map) const override {
         return data_.moved ? data_.moved(map) : nullptr;
     }

@@ -165,8 +165,9 @@ TEST_F(Inherit, MeshFacesBlendTheirTextures) {
     const World w = world({object});
     Hit hit;
     seen(w, {.5, .2, -5}, {0, 0, 1}, hit);
-    std::array<SurfaceWeight, 3> wears;
-    ASSERT_EQ(w.geometry->surfaces_at(hit, wears), 3);
+    std::vector<SurfaceWeight> wears;
+    w.geometry->surfaces_at(hit, wears);
+    ASSERT_EQ(wears.size(), 3u);
     Rgb sum{0.0f};
     for (const SurfaceWeight& s : wears) {
         sum += s.weight * std::get<Color>((*w.surfaces[s.surface].texture.layers)[0].pigment->source).rgb();
@@ -174,6 +175,25 @@ TEST_F(Inherit, MeshFacesBlendTheirTextures) {
     EXPECT_NEAR(sum.x, 0.3, 1e-6);
     EXPECT_NEAR(sum.y, 0.5, 1e-6);
     EXPECT_NEAR(sum.z, 0.2, 1e-6);
+}
+
+TEST_F(Inherit, BlobComponentsBlendTheirTextures) {
+    const ObjectPtr object = object_from(
+        "blob{threshold .5 sphere{0,1,1 pigment{rgb <1,0,0>}} sphere{<1,0,0>,1,1 pigment{rgb <0,1,0>}} "
+        "sphere{<0.3,0,0>,0.1,0.001} pigment{rgb <0,0,1>} interior_texture{pigment{rgb 1}}}");
+    const World w = world({object});
+    Hit hit;
+    seen(w, {.3, 0, -5}, {0, 0, 1}, hit);
+    std::vector<SurfaceWeight> wears;
+    w.geometry->surfaces_at(hit, wears);
+    ASSERT_EQ(wears.size(), 2u);
+    Rgb sum{0.0f};
+    for (const SurfaceWeight& s : wears) {
+        sum += s.weight * std::get<Color>((*w.surfaces[s.surface].texture.layers)[0].pigment->source).rgb();
+        EXPECT_FALSE(w.surfaces[s.surface].interior_texture.has_value());
+    }
+    EXPECT_NEAR(sum.x, 0.867, 1e-3);
+    EXPECT_NEAR(sum.y, 0.133, 1e-3);
 }
 
 TEST_F(Inherit, MeshMistakesAreNamed) {

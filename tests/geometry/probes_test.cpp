@@ -172,6 +172,68 @@ TEST(Probes, P18Mesh2Solid) {
     o.hits({.1, .1, 5}, -z, {.1, .1, .8}, {-.5773503, -.5773503, -.5773503});
 }
 
+TEST(Probes, P22BlobSphere) {
+    Probe o("blob{threshold 0.5 sphere{0,2,1}}");
+    o.hits({.3, .1, -5}, z, {.3, .1, -1.035168}, {.2771639, .092388, -.9563706});
+    // The reference misses what is nearer than 0.01.
+    o.hits({0, 0, -1.1024}, z, {0, 0, -1.0823922}, {0, 0, -1});
+}
+
+TEST(Probes, P23BlobCylinder) {
+    Probe o("blob{threshold 0.5 cylinder{0,<0,2,0>,1,1}}");
+    o.hits({.1, 1, -5}, z, {.1, 1, -.5318771}, {.1847759, 0, -.9827807});
+    o.hits({0, 5, 0}, -y, {0, 2.5411961, 0}, {0, 1, 0});
+    expect_near(o.extent().hi, {1.4142135, 3, 1.4142135}, "max");
+}
+
+TEST(Probes, P24BlobOfTwo) {
+    Probe o("blob{threshold 0.6 sphere{0,1,1} sphere{<.9,0,0>,1,1}}");
+    o.hits({.45, .1, -5}, z, {.45, .1, -.4896707}, {0, .2000891, -.9797777});
+}
+
+TEST(Probes, P39IsosurfaceFindsTheRootBeyondItsAccuracy) {
+    // The reference stops within its accuracy, at -0.8652344; both take the normal by differences of that
+    // size.
+    Probe o("isosurface{function{x*x+y*y+z*z-1} contained_by{box{<-2,-2,-2>,<2,2,2>}} max_gradient 4}");
+    o.hits({.3, .4, -5}, z, {.3, .4, -.8660254}, {.3005248, .4005331, -.8655969});
+}
+
+TEST(Probes, P40IsosurfaceContainer) {
+    Probe o("isosurface{function{x*x+y*y+z*z-1} contained_by{box{<-.5,-.5,-.5>,<.5,.5,.5>}} max_gradient 4}");
+    o.hits({.3, .4, -5}, z, {.3, .4, -.5}, {0, 0, -1});
+}
+
+TEST(Probes, P57IsosurfaceInADifference) {
+    Probe o(
+        "difference{sphere{0,1} isosurface{function{x} contained_by{box{<-2,-2,-2>,<2,2,2>}} "
+        "all_intersections}}");
+    o.hits({-5, 0, 0}, x, {0, 0, 0}, {-1, 0, 0});
+}
+
+TEST(Probes, P35Superellipsoid) {
+    Probe("superellipsoid{<.25,2>}")
+        .hits({.3, .4, -5}, z, {.3, .4, -.5952008}, {.0900042, .6742704, -.7329793});
+}
+
+TEST(Probes, P36SuperellipsoidSharp) {
+    Probe o("superellipsoid{<.25,.25>}");
+    o.hits({.3, .4, -5}, z, {.3, .4, -.9999098}, {.0002188, .0016394, -.9999986});
+    o.hits({5, 5, 5}, {-1, -1, -1}, {.8716855, .8716855, .8716855}, {.5773503, .5773503, .5773503});
+}
+
+TEST(Probes, P38CubicWithTheCoefficientsOfASphere) {
+    Probe o("cubic{<0,0,0,1,0,0,0,0,0,0, 0,0,1,0,0,0, 0,1,0,-1>}");
+    o.hits({.3, .4, -5}, z, {.3, .4, -.8660254}, {.3, .4, -.8660254});
+    EXPECT_TRUE(o.inside({.99999999, 0, 0}));
+}
+
+TEST(Probes, P49Ovus) {
+    Probe o("ovus{1,0.6}");
+    o.hits({0, 5, .1}, -y, {0, 1.591608, .1}, {0, .9860133, .1666667});
+    o.hits({5, .5, .1}, -x, {.9364215, .5, .1}, {.9652844, .24, .1030823});
+    expect_near(o.extent().hi, {1.0002, 1.6, 1.0002}, "max");
+}
+
 TEST(Probes, P55PatchInDifference) {
     Probe o("difference{sphere{0,1} triangle{<-1,-1,0>,<1,-1,0>,<0,1,0>}}");
     o.hits({0, 0, -5}, z, {0, 0, 0}, {0, 0, -1});

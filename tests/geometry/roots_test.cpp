@@ -1,5 +1,6 @@
 #include "math/roots.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -113,6 +114,38 @@ TEST(Roots, SignChangesObeyTheGivenEnds) {
     // x^6 - 2^-6
     EXPECT_EQ(sign_changes<6>({1, 0, 0, 0, 0, 0, -0.015625}, true, false, six), 1);
     EXPECT_NEAR(six[0], 0.5, 1e-15);
+}
+
+TEST(Roots, PolynomialsOfAnyDegreeFindAllTheirRoots) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(-1, 1);
+    for (const size_t degree : {1u, 2u, 5u, 9u}) {
+        for (int trial = 0; trial < 200; ++trial) {
+            // Half of the factors have real roots, the others are quadratic without any.
+            std::vector<double> wanted;
+            std::vector<double> c{1.0};
+            while (c.size() <= degree) {
+                const bool real = c.size() == degree || trial % 2 == 0;
+                const double a = place(random);
+                const std::vector<double> factor =
+                    real ? std::vector<double>{1, -a} : std::vector<double>{1, -2 * a, a * a + 0.1};
+                if (real) wanted.push_back(a);
+                std::vector<double> product(c.size() + factor.size() - 1, 0.0);
+                for (size_t i = 0; i < c.size(); ++i) {
+                    for (size_t k = 0; k < factor.size(); ++k) product[i + k] += c[i] * factor[k];
+                }
+                c = product;
+            }
+            std::sort(wanted.begin(), wanted.end());
+            bool apart = true;
+            for (size_t i = 1; i < wanted.size(); ++i) apart = apart && wanted[i] - wanted[i - 1] > 0.02;
+            if (!apart) continue;
+            std::vector<double> roots(degree);
+            const int n = solve_polynomial(c, -1, 1, roots);
+            ASSERT_EQ(static_cast<size_t>(n), wanted.size());
+            for (size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(roots[i], wanted[i], 1e-5);
+        }
+    }
 }
 
 }  // namespace

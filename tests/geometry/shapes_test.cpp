@@ -143,6 +143,23 @@ TEST_P(EverySolid, CrossingsAlternateAndAgreeWithInside) {
     EXPECT_EQ(odd, 0);
 }
 
+/// What a shape lets a ray meet that starts on it.
+struct Restart {
+    bool returns = true;      ///< a ray may come back to the surface at all
+    bool closed = true;       ///< an inward ray must
+    double least_sine = 0.0;  ///< flatter rays tell nothing: normals are no better
+};
+
+Restart restart_of(const Shape& s) {
+    Restart r;
+    const bool infinite = !s.bounds().is_finite();
+    r.closed = !s.is_patch() && !infinite && s.keyword() != "disc";
+    r.returns = r.closed || (infinite && s.curvature() != Curvature::flat && s.keyword() != "plane");
+    // By the language its normals are differences over `accuracy`.
+    if (s.keyword() == "isosurface") r.least_sine = 0.01;
+    return r;
+}
+
 /// A shape where it stands in a world; tells the way out where normals do not.
 struct Standing {
     const Shape& shape;
@@ -165,9 +182,9 @@ struct Standing {
 };
 
 /// From a hit: outward rays enter before they leave, inward rays leave first; nothing lies at the origin.
-void expect_no_self_hits(const World& world, const Standing& standing, const Vec3& offset) {
+void expect_no_self_hits(const World& world, const Standing& standing, const Vec3& offset,
+                         const Restart& rule) {
     const double scale = standing.scale;
-    const bool solid = standing.solid;
     Dice dice(4);
     int wrong = 0;
     int restarts = 0;
@@ -178,6 +195,7 @@ void expect_no_self_hits(const World& world, const Standing& standing, const Vec
         if (n == Vec3{0.0}) continue;
         const Vec3 along = glm::normalize(glm::cross(n, dice.direction()));
         for (const double sine : {1.0, -1.0, 0.3, -0.3, 1e-3, -1e-3, 1e-6, -1e-6}) {
+            if (std::abs(sine) < rule.least_sine) continue;
             RayQuery query;
             query.mask = seen_by_trace;
             query.ray = {hit.point, glm::normalize(sine * n + std::sqrt(1 - sine * sine) * along)};
@@ -188,10 +206,10 @@ void expect_no_self_hits(const World& world, const Standing& standing, const Vec
             Hit next;
             if (!world.geometry->closest(query, next)) {
                 // Inside a solid something must come.
-                if (solid && sine < -1e-4) ++wrong;
+                if (rule.closed && sine < -1e-4) ++wrong;
                 continue;
             }
-            if (!solid) {
+            if (!rule.returns) {
                 ++wrong;
                 continue;
             }
@@ -207,6 +225,7 @@ void expect_no_self_hits(const World& world, const Standing& standing, const Vec
 TEST_P(EveryShape, NoSelfHitsAtAnyScale) {
     const ShapePtr s = shape();
     const bool solid = !s->is_patch() && !infinite() && s->keyword() != "disc";
+    const Restart rule = restart_of(*shape());
     const Transform turn = then(Transform::scaling({1, 0.8, 1.1}), Transform::rotation_deg({20, 30, 40}));
     for (const Transform& base : {Transform{}, turn}) {
         for (const double scale : {1e-6, 1.0, 1e6}) {
@@ -216,7 +235,8 @@ TEST_P(EveryShape, NoSelfHitsAtAnyScale) {
                     then(then(base, Transform::scaling(Vec3{scale})), Transform::translation(offset));
                 // Mesh vertices are single precision before any transformation, so an offset keeps their
                 // shape.
-                expect_no_self_hits(world_of({placed(kind().example, map)}), {*s, map, scale, solid}, offset);
+                expect_no_self_hits(world_of({placed(kind().example, map)}), {*s, map, scale, solid}, offset,
+                                    rule);
             }
         }
     }
@@ -276,11 +296,22 @@ double distance_across(const Shape& s, const Vec3& p, const Vec3& n) {
     return best;
 }
 
+/// Finite shapes for which no mesh with a proven bound is made: always met exactly.
+bool has_no_mesh(const Shape& s) {
+    constexpr std::string_view keywords[] = {"isosurface", "superellipsoid", "sphere_sweep", "julia_fractal",
+                                             "parametric"};
+    return std::find(std::begin(keywords), std::end(keywords), s.keyword()) != std::end(keywords);
+}
+
 TEST_P(EveryShape, TessellationIsClosedOutwardAndWithinItsBound) {
     const ShapePtr s = shape();
     for (const double tolerance : {0.02, 0.001}) {
         const auto mesh = s->tessellate(tolerance);
         if (infinite()) {
+            EXPECT_FALSE(mesh.has_value());
+            return;
+        }
+        if (has_no_mesh(*s)) {
             EXPECT_FALSE(mesh.has_value());
             return;
         }

@@ -1,0 +1,61 @@
+#pragma once
+#include "math/transform.h"
+#include "scene/shape.h"
+
+namespace rb {
+
+/// A sphere (length 0) or a cylinder with round ends, in its own frame: from the origin to `length` along z,
+/// with radius 1. At a distance r < 1 its field is strength (1 - r^2)^2, beyond it is 0.
+struct BlobComponent {
+    Transform object_from_local;
+    double length = 0;
+    double strength = 1;
+    uint32_t texture = own_texture;  ///< index into BlobData::textures
+
+    /// The point relative to the nearest point of the axis, in the frame.
+    Vec3 from_axis(const Vec3& local) const;
+    double field(const Vec3& p) const;
+    Vec3 slope(const Vec3& p) const;  ///< minus the gradient of the field
+    /// Box of the points at a distance up to `r`.
+    Bounds box(double r) const;
+};
+
+struct BlobData {
+    double threshold = 1;
+    std::vector<BlobComponent> components;
+    std::vector<TexturePtr> textures;
+};
+
+/// Where the sum of the components' fields equals the threshold.
+class Blob final : public Shape {
+public:
+    explicit Blob(BlobData data);
+
+    std::string_view keyword() const override { return "blob"; }
+    Bounds bounds() const override { return box_; }
+    Bounds language_extent() const override { return extent_; }
+    Bounds solid_bounds() const override;
+    bool inside(const Vec3& p) const override;
+    void crossings(const ShapeRay& ray, Crossings& out) const override;
+    bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const override;
+    Vec3 normal(const Vec3& p, const Crossing& at) const override;
+    ShapePtr transformed(const Transform& map) const override;
+    std::span<const TexturePtr> textures() const override { return data_.textures; }
+    void textures_at(const Vec3& p, const Crossing& at, std::vector<TextureWeight>& out) const override;
+    std::optional<TriangleMesh> tessellate(double tolerance) const override;
+    std::string describe() const override;
+
+    double field(const Vec3& p) const;
+    Vec3 slope(const Vec3& p) const;  ///< minus the gradient of the field
+
+private:
+    bool starts_here(const ShapeRay& query, double& level) const;
+    template <class Take>
+    void each_crossing(const ShapeRay& query, Take&& take) const;
+
+    BlobData data_;
+    Bounds box_;
+    Bounds extent_;
+};
+
+}  // namespace rb

@@ -1,0 +1,76 @@
+#pragma once
+#include <limits>
+
+namespace rb {
+
+/// The root of `value` between a and b, where the values fa and fb have opposite signs: false position,
+/// weighted (Illinois), with halving where that is slow; to the last bits.
+template <class Value>
+double bracketed_root(const Value& value, double a, double fa, double b, double fb) {
+    double ga = fa;
+    double gb = fb;
+    constexpr int most = 200;
+    for (int i = 0; i < most; ++i) {
+        double t = i % 3 == 2 ? 0.5 * (a + b) : b - gb * ((b - a) / (gb - ga));
+        if (!(t > a && t < b)) t = 0.5 * (a + b);
+        if (!(t > a && t < b)) break;
+        const double f = value(t);
+        if (f == 0.0) return t;
+        if ((f < 0.0) == (fa < 0.0)) {
+            a = t;
+            ga = f;
+            gb *= 0.5;
+        } else {
+            b = t;
+            gb = f;
+            ga *= 0.5;
+        }
+    }
+    return b;
+}
+
+/// The roots of a convex function on [a, b], at most two, for take(t). `starts_on_root`: it is 0 at a = 0,
+/// which does not count. The function must be positive at b unless there is no root there.
+template <class Value, class Slope, class Take>
+void convex_roots(const Value& value, const Slope& slope, double a, double b, bool starts_on_root,
+                  const Take& take) {
+    const double first = a;
+    const double last = b;
+    const double at_last = value(b);
+    if (starts_on_root) {
+        if (!(slope(0.0) < 0.0)) return;
+        double inner = b;
+        double f = at_last;
+        while (f >= 0.0 && inner > 0.0) f = value(inner *= 0.5);
+        if (f < 0.0 && at_last > 0.0) take(bracketed_root(value, inner, f, b, at_last));
+        return;
+    }
+    const double at_first = value(a);
+    if (at_first < 0.0) {
+        if (at_last > 0.0) take(bracketed_root(value, a, at_first, b, at_last));
+        return;
+    }
+    double fa = at_first;
+    double fb = at_last;
+    double sa = slope(a);
+    double sb = slope(b);
+    while (sa < 0.0 && sb > 0.0) {
+        // Both tangents lie below: where they meet above zero, all is above.
+        const double meet = (fb - fa + sa * a - sb * b) / (sa - sb);
+        if (fa + sa * (meet - a) > 0.0) return;
+        const double t = meet > a && meet < b ? meet : 0.5 * (a + b);
+        if (!(t > a && t < b)) return;
+        const double f = value(t);
+        if (f < 0.0) {
+            take(bracketed_root(value, first, at_first, t, f));
+            take(bracketed_root(value, t, f, last, at_last));
+            return;
+        }
+        const double s = slope(t);
+        (s < 0.0 ? a : b) = t;
+        (s < 0.0 ? fa : fb) = f;
+        (s < 0.0 ? sa : sb) = s;
+    }
+}
+
+}  // namespace rb

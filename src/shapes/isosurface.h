@@ -1,0 +1,65 @@
+#pragma once
+#include "scene/function.h"
+#include "scene/shape.h"
+
+namespace rb {
+
+/// What an isosurface statement says.
+struct IsosurfaceData {
+    FunctionPtr function;
+    Bounds box{Vec3{-1.0}, Vec3{1.0}};  ///< the container, or the box around a sphere
+    std::optional<double> radius;       ///< of a spherical container
+    double threshold = 0;
+    double accuracy = 0.001;
+    double max_gradient = 1.1;
+    bool open = false;
+    size_t max_trace = 1;
+
+    double size() const { return glm::length(box.size()); }
+    double value(const Vec3& p) const;  ///< below 0 inside
+    Interval bound(const Bounds& cell) const;
+    bool contains(const Vec3& p) const;
+};
+
+/// True if bounds over small boxes do not shrink with the box (noise, patterns, pigments): what intervals
+/// cannot decide there is left to max_gradient.
+bool has_loose_bounds(const IsosurfaceData& data);
+
+/// The steepest slope met between points of random chords near the surface: a lower bound of the right
+/// max_gradient.
+double steepest_slope(const IsosurfaceData& data);
+
+/// Where a function equals its threshold within a container, whose own surface closes the solid unless
+/// `open`. Part 0 is the function's surface, 1 to 6 are the container's sides (-x, +x, -y, ...), 7 its
+/// sphere.
+class Isosurface final : public Shape {
+public:
+    explicit Isosurface(IsosurfaceData data);
+
+    std::string_view keyword() const override { return "isosurface"; }
+    Bounds bounds() const override { return bounds_; }
+    Bounds language_extent() const override { return data_.box; }
+    bool inside(const Vec3& p) const override { return data_.contains(p) && data_.value(p) <= 0.0; }
+    void crossings(const ShapeRay& ray, Crossings& out) const override;
+    bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const override;
+    Vec3 normal(const Vec3& p, const Crossing& at) const override;
+    std::optional<TriangleMesh> tessellate(double) const override { return std::nullopt; }
+    std::string describe() const override;
+
+private:
+    struct Span;
+    class Search;
+    bool enters_container(const ShapeRay& query, Span& span) const;
+    uint32_t start_part(const ShapeRay& query) const;
+    Vec3 gradient(const Vec3& p) const;
+    double side_distance(const Vec3& p, uint32_t& part) const;
+    template <class Take>
+    void each_crossing(const ShapeRay& query, Take&& take) const;
+
+    IsosurfaceData data_;
+    bool loose_;
+    double resolution_;  ///< object units: what is thinner may be missed
+    Bounds bounds_;
+};
+
+}  // namespace rb

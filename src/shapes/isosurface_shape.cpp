@@ -1,0 +1,284 @@
+#include "shapes/convex_ray.h"
+#include "shapes/isosurface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace rb {
+
+namespace {
+
+constexpr uint32_t sphere_part = 7;
+constexpr uint32_t on_function = 0;
+
+bool below(double v) { return v < 0.0; }
+
+/// Hull of the cells that may hold a part of the solid (of the surface, if open).
+void add_cells(const IsosurfaceData& data, const Bounds& cell, int levels, Bounds& hull) {
+    if (hull.contains(cell.lo) && hull.contains(cell.hi)) return;
+    const Interval v = data.bound(cell);
+    if (!v.maybe_nan && (v.lo > 0.0 || (data.open && v.hi < 0.0))) return;
+    if (levels == 0 || v.hi < 0.0) {
+        hull.include(cell);
+        return;
+    }
+    const Vec3 middle = cell.center();
+    for (int k = 0; k < 8; ++k) {
+        Bounds part = cell;
+        for (int i = 0; i < 3; ++i) ((k >> i & 1) ? part.lo[i] : part.hi[i]) = middle[i];
+        add_cells(data, part, levels - 1, hull);
+    }
+}
+
+}  // namespace
+
+double IsosurfaceData::value(const Vec3& p) const {
+    const std::array<double, 3> arguments{p.x, p.y, p.z};
+    double result = 0.0;
+    function->evaluate(arguments, {&result, 1});
+    return result - threshold;
+}
+
+Interval IsosurfaceData::bound(const Bounds& cell) const {
+    const std::array<Interval, 3> arguments{Interval{cell.lo.x, cell.hi.x}, Interval{cell.lo.y, cell.hi.y},
+                                            Interval{cell.lo.z, cell.hi.z}};
+    return function->bound(arguments, 0) - Interval(threshold);
+}
+
+bool IsosurfaceData::contains(const Vec3& p) const {
+    if (radius) {
+        const Vec3 q = p - box.center();
+        return glm::dot(q, q) <= *radius * *radius;
+    }
+    return box.contains(p);
+}
+
+/// The ray within the container.
+struct Isosurface::Span {
+    double enter = 0;
+    double leave = 0;
+    uint32_t enter_part = 0;
+    uint32_t leave_part = 0;
+};
+
+/// Finds the zeros along one ray in ascending order: cells that surely hold none are left out, the others are
+/// halved down to the resolution, where a change of sign is one.
+class Isosurface::Search {
+public:
+    Search(const Isosurface& shape, const ShapeRay& query, double level)
+        : shape_(shape),
+          ray_(query.ray),
+          t_max_(query.t_max),
+          level_(level),
+          least_(shape.resolution_ / glm::length(ray_.direction)),
+          steepest_(shape.data_.max_gradient * glm::length(ray_.direction)) {}
+
+    double value(double t) const { return shape_.data_.value(ray_.at(t)) - level_; }
+    double least() const { return least_; }
+
+    /// False if `take` ended it.
+    template <class Take>
+    bool run(double a, double fa, double b, double fb, Take& take) const {
+        if (a > t_max_) return false;
+        if (surely_none(a, fa, b, fb)) return true;
+        const double middle = 0.5 * (a + b);
+        if (b - a <= least_ || !(middle > a && middle < b)) {
+            return below(fa) == below(fb) ||
+                   take(bracketed_root([&](double t) { return value(t); }, a, fa, b, fb));
+        }
+        const double f = value(middle);
+        return run(a, fa, middle, f, take) && run(middle, f, b, fb, take);
+    }
+
+private:
+    bool surely_none(double a, double fa, double b, double fb) const {
+        std::array<Interval, 3> place;
+        for (int i = 0; i < 3; ++i) {
+            place[static_cast<size_t>(i)] =
+                Interval(ray_.origin[i]) + Interval(a, b) * Interval(ray_.direction[i]);
+        }
+        const Interval v =
+            shape_.data_.function->bound(place, 0) - Interval(shape_.data_.threshold) - Interval(level_);
+        if (!v.maybe_nan && (v.lo > 0.0 || v.hi < 0.0)) return true;
+        return shape_.loose_ && below(fa) == below(fb) && std::abs(fa) + std::abs(fb) > steepest_ * (b - a);
+    }
+
+    const Isosurface& shape_;
+    const Ray& ray_;
+    double t_max_;
+    double level_;
+    double least_;
+    double steepest_;
+};
+
+Isosurface::Isosurface(IsosurfaceData data)
+    : data_(std::move(data)),
+      loose_(has_loose_bounds(data_)),
+      resolution_(loose_ ? 0.5 * data_.accuracy : std::min(data_.accuracy, 1e-3 * data_.size()) / 16.0) {
+    constexpr int levels = 4;
+    add_cells(data_, data_.box, levels, bounds_);
+}
+
+bool Isosurface::enters_container(const ShapeRay& query, Span& span) const {
+    const Vec3& d = query.ray.direction;
+    const Vec3& o = query.ray.origin;
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    span = {-inf, inf, 0, 0};
+    if (data_.radius) {
+        const double dd = glm::dot(d, d);
+        const Vec3 p = o - data_.box.center();
+        const double at = -glm::dot(p, d) / dd;
+        const Vec3 q = p + at * d;
+        const double chord = *data_.radius * *data_.radius - glm::dot(q, q);
+        if (!(chord > 0.0)) return false;
+        const double half = std::sqrt(chord / dd);
+        span = {at - half, at + half, sphere_part, sphere_part};
+        return span.leave > 0.0;
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (d[i] == 0.0) {
+            if (o[i] < data_.box.lo[i] || o[i] > data_.box.hi[i]) return false;
+            continue;
+        }
+        const auto low = static_cast<uint32_t>(1 + 2 * i);
+        double a = (data_.box.lo[i] - o[i]) / d[i];
+        double b = (data_.box.hi[i] - o[i]) / d[i];
+        const bool forward = d[i] > 0.0;
+        if (!forward) std::swap(a, b);
+        if (a > span.enter) {
+            span.enter = a;
+            span.enter_part = forward ? low : low + 1;
+        }
+        if (b < span.leave) {
+            span.leave = b;
+            span.leave_part = forward ? low + 1 : low;
+        }
+    }
+    return span.enter < span.leave && span.leave > 0.0;
+}
+
+double Isosurface::side_distance(const Vec3& p, uint32_t& part) const {
+    if (data_.radius) {
+        part = sphere_part;
+        return std::abs(glm::length(p - data_.box.center()) - *data_.radius);
+    }
+    double best = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        const double lo = std::abs(p[i] - data_.box.lo[i]);
+        const double hi = std::abs(p[i] - data_.box.hi[i]);
+        if (lo < best) part = static_cast<uint32_t>(1 + 2 * i);
+        if (hi < std::min(best, lo)) part = static_cast<uint32_t>(2 + 2 * i);
+        best = std::min({best, lo, hi});
+    }
+    return best;
+}
+
+/// The part on which the ray starts; any_part if in free space.
+uint32_t Isosurface::start_part(const ShapeRay& query) const {
+    if (query.starts_on_surface && query.origin_part != any_part) return query.origin_part;
+    if (!query.starts_on_surface && !(query.origin_error > 0.0)) return any_part;
+    const Vec3& o = query.ray.origin;
+    uint32_t side = 0;
+    const double to_side = side_distance(o, side);
+    const double slope = glm::length(gradient(o)) / data_.accuracy;
+    const double to_function = std::abs(data_.value(o)) / std::max(slope, std::numeric_limits<double>::min());
+    if (!query.starts_on_surface && std::min(to_side, to_function) > query.origin_error) return any_part;
+    return to_side < to_function ? side : on_function;
+}
+
+template <class Take>
+void Isosurface::each_crossing(const ShapeRay& query, Take&& take) const {
+    Span span;
+    if (!enters_container(query, span)) return;
+    const uint32_t start = start_part(query);
+    // On the function's surface its value there counts as the threshold, so that the root is exactly at the
+    // origin.
+    const double level = start == on_function ? data_.value(query.ray.origin) : 0.0;
+    const Search search(*this, query, level);
+    double a = std::max(span.enter, 0.0);
+    bool on_side = false;
+    if (start != any_part && start != on_function) {
+        // From a side either in or out.
+        if (span.leave_part == start && (span.enter_part != start || span.leave < -span.enter)) return;
+        on_side = span.enter_part == start;
+        if (on_side) a = span.enter;
+    }
+    constexpr double share = 1.0 / 64.0;
+    if (start == on_function) a = std::min(share * search.least(), 0.5 * span.leave);
+    double fa = search.value(a);
+    if (!data_.open && !on_side && span.enter > 0.0 && below(fa) && !take(span.enter, span.enter_part))
+        return;
+    const double fb = search.value(span.leave);
+    // Steps from the front, so that near crossings are found without looking at the whole.
+    constexpr int steps = 16;
+    auto function_root = [&](double t) { return take(t, on_function); };
+    const double from = a;
+    for (int i = 1; i <= steps; ++i) {
+        const double b = i == steps ? span.leave : from + (span.leave - from) * i / steps;
+        const double f = i == steps ? fb : search.value(b);
+        if (!search.run(a, fa, b, f, function_root)) return;
+        a = b;
+        fa = f;
+    }
+    if (!data_.open && below(fb)) take(span.leave, span.leave_part);
+}
+
+void Isosurface::crossings(const ShapeRay& query, Crossings& out) const {
+    size_t left = data_.max_trace;
+    each_crossing(query, [&](double t, uint32_t part) {
+        if (t > query.t_max) return false;
+        if (t > query.t_min) out.add({t, part, Vec2{0.0}});
+        return --left > 0;
+    });
+}
+
+bool Isosurface::closest(const ShapeRay& query, const CrossingFilter* filter, Crossing& nearest) const {
+    bool found = false;
+    size_t left = data_.max_trace;
+    each_crossing(query, [&](double t, uint32_t part) {
+        if (t > query.t_max) return false;
+        const Crossing crossing{t, part, Vec2{0.0}};
+        if (t > query.t_min && (!filter || filter->counts(crossing))) {
+            nearest = crossing;
+            found = true;
+            return false;
+        }
+        return --left > 0;
+    });
+    return found;
+}
+
+Vec3 Isosurface::gradient(const Vec3& p) const {
+    const double f = data_.value(p);
+    Vec3 n;
+    for (int i = 0; i < 3; ++i) {
+        Vec3 q = p;
+        q[i] += data_.accuracy;
+        n[i] = data_.value(q) - f;
+    }
+    return n;
+}
+
+Vec3 Isosurface::normal(const Vec3& p, const Crossing& at) const {
+    if (at.part == sphere_part) return p - data_.box.center();
+    if (at.part != on_function) {
+        Vec3 n{0.0};
+        n[static_cast<int>(at.part - 1) / 2] = at.part % 2 ? -1.0 : 1.0;
+        return n;
+    }
+    const Vec3 n = gradient(p);
+    return n == Vec3{0.0} ? Vec3{1, 0, 0} : n;
+}
+
+std::string Isosurface::describe() const {
+    const Bounds& b = data_.box;
+    return fmt::format("threshold {} accuracy {} in {} <{},{},{}> <{},{},{}>, {}{}", data_.threshold,
+                       data_.accuracy, data_.radius ? "sphere" : "box", b.lo.x, b.lo.y, b.lo.z, b.hi.x,
+                       b.hi.y, b.hi.z,
+                       loose_ ? fmt::format("max_gradient {}", data_.max_gradient) : "bounded by intervals",
+                       data_.open ? ", open" : "");
+}
+
+}  // namespace rb
