@@ -137,13 +137,13 @@ bool has_loose_bounds(const IsosurfaceData& data) {
 
 double steepest_slope(const IsosurfaceData& data) {
     double steepest = 0.0;
-    constexpr uint64_t chords = 256;
+    constexpr uint64_t chords = 64;
     const double step = std::max(data.accuracy, 1e-4 * data.size());
     for (uint64_t i = 0; i < chords; ++i) {
         const Vec3 a = random_place(data.box, 2 * i + samples);
         const Vec3 way = random_place(data.box, 2 * i + 1 + samples) - a;
         const double length = glm::length(way);
-        const double n = std::min(std::floor(length / step), 64.0);
+        const double n = std::min(std::floor(length / step), 32.0);
         double before = data.value(a);
         for (double k = 1; k <= n; ++k) {
             const double f = data.value(a + way * (k / n));
