@@ -70,7 +70,7 @@ TEST_P(EveryShape, HitsLieOnTheSurfaceWithUnitNormals) {
     const ShapePtr s = shape();
     Dice dice(1);
     int hits = 0;
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < 50 * RB_TEST_SAMPLES; ++i) {
         Hit hit;
         if (!random_hit(world, dice, 1, Vec3{0.0}, hit)) continue;
         ++hits;
@@ -83,7 +83,7 @@ TEST_P(EveryShape, HitsLieOnTheSurfaceWithUnitNormals) {
             EXPECT_FALSE(before);
         }
     }
-    EXPECT_GT(hits, 500);
+    EXPECT_GT(hits, 5 * RB_TEST_SAMPLES);
 }
 
 TEST_P(EveryShape, BoundsHoldEveryHit) {
@@ -117,7 +117,7 @@ TEST_P(EverySolid, CrossingsAlternateAndAgreeWithInside) {
     const ShapePtr s = shape();
     Dice dice(3);
     int odd = 0;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 200 * RB_TEST_SAMPLES; ++i) {
         const Vec3 d = dice.direction();
         const ShapeRay ray{{dice.point(0.6) - 5.0 * d, d}};
         Crossings all;
@@ -188,7 +188,7 @@ void expect_no_self_hits(const World& world, const Standing& standing, const Vec
     Dice dice(4);
     int wrong = 0;
     int restarts = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 30 * RB_TEST_SAMPLES; ++i) {
         Hit hit;
         if (!random_hit(world, dice, scale, offset, hit)) continue;
         const Vec3 n = standing.way_out(hit);
@@ -218,7 +218,7 @@ void expect_no_self_hits(const World& world, const Standing& standing, const Vec
             if (next.t <= 0.0) ++wrong;
         }
     }
-    EXPECT_GT(restarts, 1000);
+    EXPECT_GT(restarts, 10 * RB_TEST_SAMPLES);
     EXPECT_EQ(wrong, 0) << "scale " << scale << ", offset " << offset.x << ", of " << restarts;
 }
 
@@ -252,7 +252,7 @@ TEST_P(EveryShape, TransformedIsTheSameAsATransformBesideIt) {
          {map, then(Transform::scaling(Vec3{-1.7}), Transform::translation({1, 2, 3}))}) {
         const ShapePtr moved = s->transformed(t);
         if (!moved) continue;
-        for (int i = 0; i < 1000; ++i) {
+        for (int i = 0; i < 10 * RB_TEST_SAMPLES; ++i) {
             const Vec3 d = dice.direction();
             const Vec3 from = t.point(dice.point(0.6)) - 5.0 * d;
             Crossing a, b;
@@ -337,7 +337,7 @@ TEST_P(EveryShape, TessellationIsClosedOutwardAndWithinItsBound) {
             EXPECT_GT(volume, 0.0);
         }
         Dice dice(6);
-        for (int i = 0; i < 4000; ++i) {
+        for (int i = 0; i < 40 * RB_TEST_SAMPLES; ++i) {
             const auto& f =
                 mesh->faces[static_cast<size_t>(dice.unit() * static_cast<double>(mesh->faces.size()))];
             double u = dice.unit(), v = dice.unit();

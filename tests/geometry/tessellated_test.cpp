@@ -33,7 +33,7 @@ void expect_close(const ObjectPtr& object) {
     int missed = 0;
     double off = 0;
     double turned = 0;
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 200 * RB_TEST_SAMPLES; ++i) {
         RayQuery query;
         query.ray.origin = {0, 0, -5};
         query.ray.direction = glm::normalize(Vec3{0.25 * unit(random), 0.25 * unit(random), 1});
@@ -49,10 +49,10 @@ void expect_close(const ObjectPtr& object) {
         off += std::abs(a.t - b.t);
         turned += 1 - glm::dot(a.normal, b.normal);
     }
-    EXPECT_GT(hits, 1000);
+    EXPECT_GT(hits, 10 * RB_TEST_SAMPLES);
     EXPECT_LT(off / hits, 0.1 * 5.0 / 240);
     EXPECT_LT(turned / hits, 2e-3);
-    EXPECT_LT(missed, 20000 / 500);
+    EXPECT_LT(missed, 200 * RB_TEST_SAMPLES / 500);
 }
 
 TEST(Tessellated, EveryFiniteShapeLooksTheSame) {
