@@ -12,8 +12,6 @@ bool Geometry::has(uint8_t mask) const { return (parts->all_masks & mask) != 0; 
 
 namespace {
 
-double largest(const Vec3& v) { return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z)); }
-
 /// Bound on rounding per unit of coordinate, with room for a shape's own frame and solver.
 constexpr double coordinate_error = 1e-14;
 
@@ -43,7 +41,8 @@ public:
           inverse_dd_(1.0 / glm::dot(query.ray.direction, query.ray.direction)) {
         ray_.t_min = query.t_min;
         if (query.origin_leaf == no_leaf) return;
-        ray_.origin_error = std::max(query.origin_error, coordinate_error * largest(query.ray.origin));
+        ray_.origin_error =
+            std::max(query.origin_error, coordinate_error * largest_magnitude(query.ray.origin));
         ray_.t_min = std::max(ray_.t_min, 4.0 * ray_.origin_error * std::sqrt(inverse_dd_));
     }
 
@@ -142,7 +141,7 @@ void fill_hit(const Geometry::Parts& parts, const RayQuery& query, Hit& hit) {
         const double length = std::sqrt(square);
         hit.normal /= leaf.inverted ? -length : length;
     }
-    const double magnitude = largest(ray.origin) + hit.t * largest(ray.direction);
+    const double magnitude = largest_magnitude(ray.origin) + hit.t * largest_magnitude(ray.direction);
     const ElementError& error = parts.errors[hit.leaf];
     hit.error = coordinate_error * (error.scale * magnitude + error.offset);
 }
@@ -159,7 +158,8 @@ bool Geometry::candidates(const RayBundle& bundle, uint8_t mask, uint32_t left, 
     const Parts& p = *parts;
     // Beyond that, single precision bounds nothing.
     constexpr double limit = 1e30;
-    if (!(largest(bundle.origins.lo) < limit && largest(bundle.origins.hi) < limit)) return false;
+    if (!(largest_magnitude(bundle.origins.lo) < limit && largest_magnitude(bundle.origins.hi) < limit))
+        return false;
     out.listed_count = 0;
     for (uint32_t i = 0; i < p.listed; ++i) {
         const Element& e = p.elements[i];

@@ -7,28 +7,23 @@ namespace rb {
 
 namespace {
 
-double stretch(const Affine& map) {
-    return std::sqrt(glm::dot(map.row[0], map.row[0]) + glm::dot(map.row[1], map.row[1]) +
-                     glm::dot(map.row[2], map.row[2]));
-}
-
-double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 ElementError error_of(const Leaf& leaf) {
     const Bounds box = leaf.shape->bounds();
-    const double size = box.is_finite() && !box.is_empty() ? std::max(largest(box.lo), largest(box.hi)) : 0.0;
+    const double size = box.is_finite() && !box.is_empty()
+                            ? std::max(largest_magnitude(box.lo), largest_magnitude(box.hi))
+                            : 0.0;
     if (leaf.in_world_space) return {1.0, size};
     const auto world_from_object = inverse_of(leaf.object_from_world);
     if (!world_from_object) return {1.0, size};
     const double out = stretch(*world_from_object);
     return {1.0 + out * stretch(leaf.object_from_world),
-            out * (size + largest(leaf.object_from_world.row[3]))};
+            out * (size + largest_magnitude(leaf.object_from_world.row[3]))};
 }
 
 /// What fits the tree: finite, also in single precision.
 bool fits(const Bounds& box) {
     constexpr double limit = 1e30;
-    return box.is_finite() && largest(box.lo) < limit && largest(box.hi) < limit;
+    return box.is_finite() && largest_magnitude(box.lo) < limit && largest_magnitude(box.hi) < limit;
 }
 
 Element element_of(const Leaf& leaf, uint32_t index, const SolidForest& solids) {

@@ -49,11 +49,6 @@ double nearest_distance(const Bounds& box, const Vec3& eye) {
     return std::max(glm::length(off), least_share * glm::length(box.size()));
 }
 
-double stretch(const Affine& map) {
-    return std::sqrt(glm::dot(map.row[0], map.row[0]) + glm::dot(map.row[1], map.row[1]) +
-                     glm::dot(map.row[2], map.row[2]));
-}
-
 }  // namespace
 
 TessellatedShape::TessellatedShape(ShapePtr truth, TriangleMesh mesh)

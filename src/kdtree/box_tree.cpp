@@ -1,6 +1,6 @@
 #include "kdtree/box_tree.h"
 
-#include "kdtree/kdtree.h"
+#include "kdtree/box_f.h"
 
 #include <array>
 
@@ -9,21 +9,6 @@ namespace rb {
 namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr BoxF empty_box{{inf, inf, inf}, {-inf, -inf, -inf}};
-
-void include(BoxF& box, const BoxF& other) {
-    for (int i = 0; i < 3; ++i) {
-        box.lo[i] = std::min(box.lo[i], other.lo[i]);
-        box.hi[i] = std::max(box.hi[i], other.hi[i]);
-    }
-}
-
-float half_area(const BoxF& b) {
-    const float x = b.hi[0] - b.lo[0];
-    const float y = b.hi[1] - b.lo[1];
-    const float z = b.hi[2] - b.lo[2];
-    return x * y + y * z + z * x;
-}
 
 }  // namespace
 
@@ -40,7 +25,7 @@ public:
         }
         tree_.center_ = hull.center();
         parts_.reserve(items.size());
-        BoxF all = empty_box;
+        BoxF all = empty_box_f;
         for (uint32_t i = 0; i < items.size(); ++i) {
             BoxF box = rounded_outward({items[i].box.lo - tree_.center_, items[i].box.hi - tree_.center_});
             for (int k = 0; k < 3; ++k) {
@@ -88,7 +73,7 @@ private:
         const auto at = static_cast<uint32_t>(tree_.nodes_.size());
         tree_.nodes_.emplace_back();
         for (size_t i = 0; i < 4; ++i)
-            set_child(at, i, i < count ? ranges[i] : Range{0, 0, empty_box}, depth);
+            set_child(at, i, i < count ? ranges[i] : Range{0, 0, empty_box_f}, depth);
         return at;
     }
 
@@ -112,7 +97,7 @@ private:
     }
 
     Range range(size_t begin, size_t end) const {
-        Range r{begin, end, empty_box};
+        Range r{begin, end, empty_box_f};
         for (size_t i = begin; i < end; ++i) include(r.box, parts_[i].box);
         return r;
     }
@@ -121,19 +106,19 @@ private:
 
     /// Reorders the range and returns where its second half begins.
     size_t split(const Range& r, int depth) {
-        BoxF middles = empty_box;
+        BoxF middles = empty_box_f;
         for (size_t i = r.begin; i < r.end; ++i) {
             for (int k = 0; k < 3; ++k) {
                 middles.lo[k] = std::min(middles.lo[k], parts_[i].middle(k));
                 middles.hi[k] = std::max(middles.hi[k], parts_[i].middle(k));
             }
         }
-        float best = inf;
+        double best = inf;
         int best_axis = -1;
         int best_bin = 0;
         for (int axis = 0; axis < 3; ++axis) {
             int bin = 0;
-            const float cost = best_plane(r, axis, middles, bin);
+            const double cost = best_plane(r, axis, middles, bin);
             if (cost < best) best = cost, best_axis = axis, best_bin = bin;
         }
         // Halves keep the walk's stack short where the heuristic only peels.
@@ -152,34 +137,34 @@ private:
     }
 
     /// The bin after which to cut, and the cost of that; infinite if all middles lie together.
-    float best_plane(const Range& r, int axis, const BoxF& middles, int& best_bin) const {
+    double best_plane(const Range& r, int axis, const BoxF& middles, int& best_bin) const {
         const float lo = middles.lo[axis];
         const float hi = middles.hi[axis];
-        float best = inf;
+        double best = inf;
         if (!(hi > lo) || !(hi - lo < inf)) return best;
         std::array<BoxF, bins> boxes;
         std::array<size_t, bins> counts{};
-        boxes.fill(empty_box);
+        boxes.fill(empty_box_f);
         for (size_t i = r.begin; i < r.end; ++i) {
             const auto bin = static_cast<size_t>(bin_of(parts_[i].middle(axis), lo, hi));
             include(boxes[bin], parts_[i].box);
             ++counts[bin];
         }
-        std::array<float, bins> below{};
-        BoxF box = empty_box;
+        std::array<double, bins> below{};
+        BoxF box = empty_box_f;
         size_t n = 0;
         for (size_t i = 0; i + 1 < bins; ++i) {
             include(box, boxes[i]);
             n += counts[i];
-            below[i] = n > 0 ? half_area(box) * static_cast<float>(n) : inf;
+            below[i] = n > 0 ? half_area(box) * static_cast<double>(n) : inf;
         }
-        box = empty_box;
+        box = empty_box_f;
         n = 0;
         for (size_t i = bins - 1; i > 0; --i) {
             include(box, boxes[i]);
             n += counts[i];
             if (n == 0 || n == r.size()) continue;
-            const float cost = below[i - 1] + half_area(box) * static_cast<float>(n);
+            const double cost = below[i - 1] + half_area(box) * static_cast<double>(n);
             if (cost < best) best = cost, best_bin = static_cast<int>(i) - 1;
         }
         return best;

@@ -19,21 +19,6 @@ struct Split {
 };
 
 constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr BoxF empty_box{{inf, inf, inf}, {-inf, -inf, -inf}};
-
-void include(BoxF& box, const BoxF& other) {
-    for (int i = 0; i < 3; ++i) {
-        box.lo[i] = std::min(box.lo[i], other.lo[i]);
-        box.hi[i] = std::max(box.hi[i], other.hi[i]);
-    }
-}
-
-double half_area(const BoxF& b) {
-    const double x = static_cast<double>(b.hi[0]) - static_cast<double>(b.lo[0]);
-    const double y = static_cast<double>(b.hi[1]) - static_cast<double>(b.lo[1]);
-    const double z = static_cast<double>(b.hi[2]) - static_cast<double>(b.lo[2]);
-    return x * y + y * z + z * x;
-}
 
 Bounds widened(const BoxF& b) { return {{b.lo[0], b.lo[1], b.lo[2]}, {b.hi[0], b.hi[1], b.hi[2]}}; }
 
@@ -54,7 +39,7 @@ public:
             const auto blocks = (n + w - 1) / w;
             block_costs_[n] = options.element_cost * static_cast<double>(blocks);
         }
-        BoxF hull = empty_box;
+        BoxF hull = empty_box_f;
         references_.reserve(count + count / 8);
         for (uint32_t i = 0; i < count; ++i) {
             const BoxF box = box_of(i);
@@ -118,8 +103,8 @@ private:
         BoxF high_cell = cell;
         low_cell.hi[split.axis] = split.plane;
         high_cell.lo[split.axis] = split.plane;
-        BoxF low_hull = empty_box;
-        BoxF high_hull = empty_box;
+        BoxF low_hull = empty_box_f;
+        BoxF high_hull = empty_box_f;
         const size_t middle = partition(begin, split, low_cell, high_cell, low_hull, high_hull);
 
         const auto low = static_cast<uint32_t>(tree_.nodes_.size());

@@ -1,5 +1,5 @@
 #pragma once
-#include "math/bounds.h"
+#include "kdtree/box_f.h"
 #include "math/ray.h"
 
 #include <algorithm>
@@ -11,13 +11,6 @@
 #include <vector>
 
 namespace rb {
-
-/// Single precision box of an element, rounded outward.
-struct BoxF {
-    float lo[3];
-    float hi[3];
-};
-BoxF rounded_outward(const Bounds& b);
 
 struct KdOptions {
     double traversal_cost = 1.5;   ///< of one inner node, in units of one leaf block

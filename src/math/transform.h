@@ -2,6 +2,7 @@
 #include "math/vec.h"
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -22,6 +23,12 @@ struct Affine {
 
 /// First `a`, then `b`.
 Affine then(const Affine& a, const Affine& b);
+
+/// How much an affine map can stretch a length: a bound (Frobenius norm of the 3x3 part).
+inline double stretch(const Affine& map) {
+    return std::sqrt(glm::dot(map.row[0], map.row[0]) + glm::dot(map.row[1], map.row[1]) +
+                     glm::dot(map.row[2], map.row[2]));
+}
 
 /// Empty if the 3x3 part is singular.
 std::optional<Affine> inverse_of(const Affine& a);

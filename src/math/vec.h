@@ -1,4 +1,5 @@
 #pragma once
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -16,6 +17,7 @@ inline constexpr double pi = 3.14159265358979323846;
 inline double max_component(const Vec3& v) {
     return v.x > v.y ? (v.x > v.z ? v.x : v.z) : (v.y > v.z ? v.y : v.z);
 }
+inline double largest_magnitude(const Vec3& v) { return max_component(glm::abs(v)); }
 inline double min_component(const Vec3& v) {
     return v.x < v.y ? (v.x < v.z ? v.x : v.z) : (v.y < v.z ? v.y : v.z);
 }

@@ -13,10 +13,6 @@ namespace {
 constexpr double facing_limit = 1e-10;
 constexpr size_t bundle_size = 32;
 
-bool is_black(const Rgb& c) {
-    return std::abs(c.x) < 1e-10f && std::abs(c.y) < 1e-10f && std::abs(c.z) < 1e-10f;
-}
-
 }  // namespace
 
 ShadowMemory::ShadowMemory(size_t rows, size_t lights, bool keep, Scratch::Scope& memory)

@@ -1,6 +1,8 @@
 #pragma once
 #include "scene/light.h"
 
+#include <cmath>
+
 namespace rb {
 
 /// Direction and distance from a surface point to a light.
@@ -8,6 +10,11 @@ struct LightVector {
     Vec3 direction{0.0};  ///< unit
     double distance = 0;
 };
+
+/// Light that is too little to be followed.
+inline bool is_black(const Rgb& c) {
+    return std::abs(c.x) < 1e-10f && std::abs(c.y) < 1e-10f && std::abs(c.z) < 1e-10f;
+}
 
 /// A light with what its formulas need worked out once (manual 3.4.4).
 class LightProgram {

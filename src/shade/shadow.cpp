@@ -9,10 +9,6 @@ namespace rb {
 
 namespace {
 
-bool is_black(const Rgb& c) {
-    return std::abs(c.x) < 1e-10f && std::abs(c.y) < 1e-10f && std::abs(c.z) < 1e-10f;
-}
-
 float difference(const Rgb& a, const Rgb& b) {
     return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
 }

@@ -35,12 +35,6 @@ private:
     const S& self() const { return static_cast<const S&>(*this); }
 };
 
-/// How much an affine map can stretch a length: a bound (Frobenius norm of the 3x3 part).
-inline double stretch(const Affine& map) {
-    return std::sqrt(glm::dot(map.row[0], map.row[0]) + glm::dot(map.row[1], map.row[1]) +
-                     glm::dot(map.row[2], map.row[2]));
-}
-
 /// If `map` is rotation, uniform scale, translation and perhaps a mirror: its scale factor, else 0.
 inline double similarity_scale(const Affine& map) {
     const double a = glm::dot(map.row[0], map.row[0]);
