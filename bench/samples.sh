@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
 # CPU time of renderboy against povray on installed sample scenes: both programs in turn, medians, ratio per scene and
 # geometric mean. Needs povray and povray-examples.
-# usage: bench/samples.sh [-n RUNS] [-b RENDERBOY] [SWITCHES ...]     default: 5 runs, +W640 +H480 +A0.3 +WT2
+# usage: bench/samples.sh [-n RUNS] [-b RENDERBOY] [-l LIST] [SWITCHES ...]
+# default: 5 runs, samples.txt beside this script (shape_samples.txt has samples of single shapes), +W640 +H480 +A0.3 +WT2
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 runs=5
 renderboy=$here/../build/release/renderboy
-while getopts n:b: option; do
+list=$here/samples.txt
+while getopts n:b:l: option; do
     case $option in
         n) runs=$OPTARG ;;
         b) renderboy=$OPTARG ;;
+        l) list=$OPTARG ;;
         *) exit 1 ;;
     esac
 done
@@ -42,5 +45,5 @@ while read -r name; do
     rm "$work/theirs" "$work/ours"
     awk -v n="$name" -v a="$theirs" -v b="$ours" 'BEGIN {printf "%-42s %9.3f %10.3f %7.2f\n", n, a, b, a / (b > 0.001 ? b : 0.001)}' |
         tee -a "$work/table"
-done < "$here/samples.txt"
+done < "$list"
 awk '{s += log($NF); if (min == "" || $NF < min) min = $NF} END {printf "geometric mean %.2f, slowest %.2f\n", exp(s / NR), min}' "$work/table"

@@ -31,29 +31,29 @@ struct Rule {
     size_t around = 2;  ///< points that make a piece
     size_t step = 1;
 };
-Rule rule_of(SplineKind kind) {
+Rule rule_of(OutlineSpline kind) {
     switch (kind) {
-        case SplineKind::linear:
+        case OutlineSpline::linear:
             return {2, 2, 1};
-        case SplineKind::quadratic:
+        case OutlineSpline::quadratic:
             return {3, 3, 1};
-        case SplineKind::cubic:
+        case OutlineSpline::cubic:
             return {4, 4, 1};
-        case SplineKind::bezier:
+        case OutlineSpline::bezier:
             break;
     }
     return {4, 4, 4};
 }
 
 ShapePtr read(BlockReader& in) {
-    SplineKind kind = SplineKind::linear;
+    OutlineSpline kind = OutlineSpline::linear;
     while (take_spline_kind(in, kind)) {
     }
     const Rule rule = rule_of(kind);
     const SourceRange at = in.where();
     const int count = in.integer();
     if (count < 0 || static_cast<size_t>(count) < rule.least ||
-        (kind == SplineKind::bezier && count % 4 != 0))
+        (kind == OutlineSpline::bezier && count % 4 != 0))
         in.fail_at(at, "Lathe has too few points or incorrect number of points.");
     std::vector<double> values;
     in.numbers(static_cast<size_t>(count), 2, values);
@@ -71,7 +71,7 @@ ShapePtr read(BlockReader& in) {
     for (const CurvePiece& piece : pieces) curve->pieces.push_back(turned(piece));
     curve->outline = Outline(std::move(pieces));
     curve->least_radius = std::max(curve->outline.lo().x, 0.0);
-    if (kind == SplineKind::bezier) {
+    if (kind == OutlineSpline::bezier) {
         // The language takes the control points' box for the curve's.
         for (const Vec2& p : points) {
             curve->least_radius = std::max(std::min(curve->least_radius, p.x), 0.0);

@@ -95,15 +95,15 @@ std::array<double, 4> CurvePiece::powers(const std::array<double, 4>& b, int deg
     }
 }
 
-CurvePiece spline_piece(SplineKind kind, const Vec2* p) {
+CurvePiece spline_piece(OutlineSpline kind, const Vec2* p) {
     switch (kind) {
-        case SplineKind::linear:
+        case OutlineSpline::linear:
             return {{p[0], p[1]}, 1};
-        case SplineKind::quadratic:
+        case OutlineSpline::quadratic:
             return {{p[1], p[1] + 0.25 * (p[2] - p[0]), p[2]}, 2};
-        case SplineKind::cubic:
+        case OutlineSpline::cubic:
             return {{p[1], p[1] + (p[2] - p[0]) / 6.0, p[2] - (p[3] - p[1]) / 6.0, p[2]}, 3};
-        case SplineKind::bezier:
+        case OutlineSpline::bezier:
             break;
     }
     return {{p[0], p[1], p[2], p[3]}, 3};

@@ -27,11 +27,11 @@ struct CurvePiece {
 };
 
 /// The rules by which the language joins points to a curve (manual 3.5.1.6, 3.5.1.9).
-enum class SplineKind { linear, quadratic, cubic, bezier };
+enum class OutlineSpline { linear, quadratic, cubic, bezier };
 
 /// One piece of a spline from the points at and around it: linear p[0] p[1], quadratic p[0..2] from p[1] to
 /// p[2], cubic (Catmull-Rom) p[0..3] from p[1] to p[2], bezier p[0..3].
-CurvePiece spline_piece(SplineKind kind, const Vec2* p);
+CurvePiece spline_piece(OutlineSpline kind, const Vec2* p);
 
 /// The line a x + b y + c = 0 in a plane.
 struct PlaneLine {

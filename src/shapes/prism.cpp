@@ -19,17 +19,17 @@ bool same(const Vec2& a, const Vec2& b) {
 /// Joins the points to closed curves (spec: geometry 13.4).
 class LoopMaker {
 public:
-    LoopMaker(SplineKind kind, const std::vector<Vec2>& points) : kind_(kind), points_(points) {}
+    LoopMaker(OutlineSpline kind, const std::vector<Vec2>& points) : kind_(kind), points_(points) {}
 
     bool is_closed() const { return closed_; }
 
     std::vector<CurvePiece> pieces() {
-        if (kind_ == SplineKind::bezier) {
+        if (kind_ == OutlineSpline::bezier) {
             beziers();
         } else {
             splines();
         }
-        if (!closed_ && kind_ != SplineKind::linear) pieces_.clear();
+        if (!closed_ && kind_ != OutlineSpline::linear) pieces_.clear();
         return std::move(pieces_);
     }
 
@@ -45,8 +45,8 @@ private:
     }
 
     void splines() {
-        const size_t before = kind_ == SplineKind::linear ? 0 : 1;
-        const size_t after = kind_ == SplineKind::cubic ? 1 : 0;
+        const size_t before = kind_ == OutlineSpline::linear ? 0 : 1;
+        const size_t after = kind_ == OutlineSpline::cubic ? 1 : 0;
         size_t i = before;
         while (i < points_.size()) {
             const size_t first = i;
@@ -91,31 +91,31 @@ private:
         std::reverse(pieces_.begin() + static_cast<std::ptrdiff_t>(loop_start), pieces_.end());
     }
 
-    SplineKind kind_;
+    OutlineSpline kind_;
     const std::vector<Vec2>& points_;
     std::vector<CurvePiece> pieces_;
     bool closed_ = true;
 };
 
-size_t least_points(SplineKind kind) {
+size_t least_points(OutlineSpline kind) {
     switch (kind) {
-        case SplineKind::linear:
+        case OutlineSpline::linear:
             return 3;
-        case SplineKind::quadratic:
+        case OutlineSpline::quadratic:
             return 5;
-        case SplineKind::cubic:
+        case OutlineSpline::cubic:
             return 6;
-        case SplineKind::bezier:
+        case OutlineSpline::bezier:
             break;
     }
     return 4;
 }
 
-std::vector<Vec2> read_points(BlockReader& in, SplineKind kind) {
+std::vector<Vec2> read_points(BlockReader& in, OutlineSpline kind) {
     const SourceRange at = in.where();
     const int count = in.integer();
     if (count < 0 || static_cast<size_t>(count) < least_points(kind) ||
-        (kind == SplineKind::bezier && count % 4 != 0)) {
+        (kind == OutlineSpline::bezier && count % 4 != 0)) {
         in.fail_at(at, "Prism has too few points or incorrect number of points.");
     }
     std::vector<double> values;
@@ -128,7 +128,7 @@ std::vector<Vec2> read_points(BlockReader& in, SplineKind kind) {
 ShapePtr read(BlockReader& in) {
     auto swept = std::make_shared<SweptOutlines>();
     swept->keyword = "prism";
-    SplineKind kind = SplineKind::linear;
+    OutlineSpline kind = OutlineSpline::linear;
     for (;;) {
         if (take_spline_kind(in, kind)) continue;
         if (in.take_word("linear_sweep")) {
@@ -146,7 +146,7 @@ ShapePtr read(BlockReader& in) {
     LoopMaker maker(kind, points);
     std::vector<CurvePiece> pieces = maker.pieces();
     if (!maker.is_closed()) {
-        in.diagnostics().warning(in.block_where(), kind == SplineKind::linear
+        in.diagnostics().warning(in.block_where(), kind == OutlineSpline::linear
                                                        ? "Linear prism not closed. Closing it."
                                                        : "Prism not closed. Ignoring it.");
     }

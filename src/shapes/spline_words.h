@@ -5,15 +5,15 @@
 namespace rb {
 
 /// Takes `linear_spline`, `quadratic_spline`, `cubic_spline` or `bezier_spline` if it is next.
-inline bool take_spline_kind(BlockReader& in, SplineKind& kind) {
+inline bool take_spline_kind(BlockReader& in, OutlineSpline& kind) {
     if (in.take_word("linear_spline")) {
-        kind = SplineKind::linear;
+        kind = OutlineSpline::linear;
     } else if (in.take_word("quadratic_spline")) {
-        kind = SplineKind::quadratic;
+        kind = OutlineSpline::quadratic;
     } else if (in.take_word("cubic_spline")) {
-        kind = SplineKind::cubic;
+        kind = OutlineSpline::cubic;
     } else if (in.take_word("bezier_spline")) {
-        kind = SplineKind::bezier;
+        kind = OutlineSpline::bezier;
     } else {
         return false;
     }
