@@ -15,7 +15,8 @@ int run_diff(const DiffSettings& settings) {
     if (settings.heat_map) {
         OutputFormat format;
         format.type = file_type_for(*settings.heat_map).value_or(FileType::png);
-        write_image(heat_map(first, second), format, *settings.heat_map);
+        const Pixels heat = heat_map(first, second);
+        write_image(rows_of(heat), format, *settings.heat_map);
     }
     std::string text;
     if (settings.json) {

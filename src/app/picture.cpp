@@ -1,6 +1,7 @@
 #include "app/picture.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace rb {
 
@@ -18,13 +19,14 @@ std::array<float, 4> straight(const Radiance& pixel) {
 
 }  // namespace
 
-Pixels picture_of(const Film& film, const std::optional<GammaCurve>& assumed_gamma,
-                  const Settings& settings) {
+PixelRows picture_of(const Film& film, const std::optional<GammaCurve>& assumed_gamma,
+                     const Settings& settings) {
     const OutputEncoding encoding(assumed_gamma, settings.file_gamma);
     const bool linear = is_linear(settings.file_type);
-    std::optional<CodeTable> codes;
-    if (!linear && output_bits(settings) == 8 && !encoding.passes_unchanged()) codes.emplace(encoding);
-    const auto encode = [&](float v) {
+    std::shared_ptr<const CodeTable> codes;
+    if (!linear && output_bits(settings) == 8 && !encoding.passes_unchanged())
+        codes = std::make_shared<CodeTable>(encoding);
+    const auto encode = [encoding, linear, codes](float v) {
         if (codes) return static_cast<float>(codes->code(v)) / 255.0f;
         return linear ? encoding.linear(v) : encoding.encode(v);
     };
@@ -33,25 +35,24 @@ Pixels picture_of(const Film& film, const std::optional<GammaCurve>& assumed_gam
     const bool has_alpha = settings.alpha && !(grayscale && settings.file_type == FileType::ppm) &&
                            settings.file_type != FileType::jpeg && settings.file_type != FileType::ppm &&
                            settings.file_type != FileType::hdr;
-    Pixels out(film.width, film.height, (grayscale ? 1 : 3) + (has_alpha ? 1 : 0));
-    for (int y = 0; y < film.height; ++y) {
+    const auto fill = [&film, encode, grayscale, has_alpha, linear](int y, std::span<float> row) {
+        float* to = row.data();
         for (int x = 0; x < film.width; ++x) {
             const Radiance& pixel = film.at(x, y);
-            float* to = out.at(x, y);
             // OpenEXR keeps premultiplied colours.
             const bool divide = has_alpha && !linear;
             const std::array<float, 4> value =
                 divide ? straight(pixel)
                        : std::array<float, 4>{pixel.rgb.x, pixel.rgb.y, pixel.rgb.z, 1.0f - pixel.transmit};
             if (grayscale) {
-                to[0] = encode(grey({value[0], value[1], value[2]}));
+                *to++ = encode(grey({value[0], value[1], value[2]}));
             } else {
-                for (size_t c = 0; c < 3; ++c) to[c] = encode(value[c]);
+                for (size_t c = 0; c < 3; ++c) *to++ = encode(value[c]);
             }
-            if (has_alpha) to[out.channels - 1] = value[3];
+            if (has_alpha) *to++ = value[3];
         }
-    }
-    return out;
+    };
+    return {film.width, film.height, (grayscale ? 1 : 3) + (has_alpha ? 1 : 0), fill};
 }
 
 }  // namespace rb

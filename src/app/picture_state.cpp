@@ -121,7 +121,11 @@ uint64_t identity_of(const SourceMap& sources, const std::string& words) {
     uint64_t value = 0;
     const auto take = [&](std::string_view text) {
         value = mixed(value, text.size());
-        for (const char c : text) value = mixed(value, static_cast<unsigned char>(c));
+        for (size_t i = 0; i < text.size(); i += sizeof(uint64_t)) {
+            uint64_t word = 0;
+            std::memcpy(&word, text.data() + i, std::min(sizeof word, text.size() - i));
+            value = mixed(value, word);
+        }
     };
     take(words);
     for (uint32_t file = 1; file <= sources.file_count(); ++file) take(sources.text(file));

@@ -1,6 +1,7 @@
 #pragma once
 #include "image/file.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace rb {
@@ -15,13 +16,39 @@ struct Samples {
     std::vector<float> floats;
 };
 
-/// floor(clamp(v) * (2^bits - 1) + 0.5) (textures spec 10.2).
-Samples quantise(const Pixels& pixels, const OutputFormat& format);
+/// File values to stored integers: floor(clamp(v) * (2^bits - 1) + 0.5), spread over the stored range where
+/// that has more bits (textures spec 10.2). NaN becomes 0.
+class Quantiser {
+public:
+    explicit Quantiser(const OutputFormat& format);
+    /// 16 stored bits instead of 8.
+    bool is_wide() const { return wide_; }
+    /// `to` has the type that is_wide() tells.
+    template <typename T>
+    void operator()(std::span<const float> from, std::span<T> to) const {
+        for (size_t i = 0; i < from.size(); ++i) to[i] = static_cast<T>(level(from[i]));
+    }
+
+private:
+    int level(float v) const {
+        const float clamped = v > 0.0f ? std::min(v, 1.0f) : 0.0f;
+        // Values are not negative, so that truncation is floor.
+        const auto code = static_cast<int>(clamped * levels_ + 0.5f);
+        return spread_ == 1.0f ? code : static_cast<int>(static_cast<float>(code) * spread_ + 0.5f);
+    }
+
+    bool wide_;
+    float levels_;
+    float spread_;
+};
+
+/// All rows as the file stores them.
+Samples samples_of(const PixelRows& rows, const OutputFormat& format);
 
 /// PNG without OpenImageIO. The default format has its own writer because loading OpenImageIO (261 shared
 /// libraries on Debian 12) costs 0.2 s of CPU time, more than most small pictures; see docs/architecture.md,
 /// "Image files".
-void write_png(const Samples& samples, const OutputFormat& format, const std::string& path);
+void write_png(const PixelRows& rows, const OutputFormat& format, const std::string& path);
 
 /// Every format through OpenImageIO, which lives in a module of its own that is loaded at the first call.
 void write_with_oiio(const Samples& samples, const OutputFormat& format, const std::string& path);

@@ -83,46 +83,60 @@ std::string_view extension_of(FileType type) {
     return "";
 }
 
-Samples quantise(const Pixels& pixels, const OutputFormat& format) {
-    Samples out{pixels.width, pixels.height, pixels.channels, {}, {}, {}};
-    if (is_linear(format.type)) {
-        out.floats = pixels.values;
-        return out;
-    }
-    const bool wide = format.bits > 8 && (format.type == FileType::png || format.type == FileType::ppm ||
-                                          format.type == FileType::tiff);
-    const int bits = wide ? format.bits : std::min(format.bits, 8);
-    const auto levels = static_cast<float>((1 << bits) - 1);
-    // Fewer bits than stored: the levels are spread over the stored range.
-    const float spread = (wide ? 65535.0f : 255.0f) / levels;
-    // Values are not negative, so that truncation is floor.
-    const auto level = [&](float v) {
-        const float clamped = v > 0.0f ? std::min(v, 1.0f) : 0.0f;  // NaN becomes 0
-        const auto code = static_cast<int>(clamped * levels + 0.5f);
-        return spread == 1.0f ? code : static_cast<int>(static_cast<float>(code) * spread + 0.5f);
-    };
-    if (wide) {
-        out.words.resize(pixels.values.size());
-        std::ranges::transform(pixels.values, out.words.begin(),
-                               [&](float v) { return static_cast<uint16_t>(level(v)); });
+Quantiser::Quantiser(const OutputFormat& format)
+    : wide_(format.bits > 8 &&
+            (format.type == FileType::png || format.type == FileType::ppm || format.type == FileType::tiff)) {
+    const int bits = wide_ ? format.bits : std::min(format.bits, 8);
+    levels_ = static_cast<float>((1 << bits) - 1);
+    spread_ = (wide_ ? 65535.0f : 255.0f) / levels_;
+}
+
+Samples samples_of(const PixelRows& rows, const OutputFormat& format) {
+    Samples out{rows.width, rows.height, rows.channels, {}, {}, {}};
+    const size_t length = static_cast<size_t>(rows.width) * static_cast<size_t>(rows.channels);
+    const size_t size = length * static_cast<size_t>(rows.height);
+    const Quantiser quantise(format);
+    const bool floats = is_linear(format.type);
+    if (floats) {
+        out.floats.resize(size);
+    } else if (quantise.is_wide()) {
+        out.words.resize(size);
     } else {
-        out.bytes.resize(pixels.values.size());
-        std::ranges::transform(pixels.values, out.bytes.begin(),
-                               [&](float v) { return static_cast<uint8_t>(level(v)); });
+        out.bytes.resize(size);
+    }
+    std::vector<float> row(length);
+    for (int y = 0; y < rows.height; ++y) {
+        const size_t start = static_cast<size_t>(y) * length;
+        if (floats) {
+            rows.fill(y, std::span(out.floats).subspan(start, length));
+            continue;
+        }
+        rows.fill(y, row);
+        if (quantise.is_wide()) {
+            quantise(row, std::span(out.words).subspan(start, length));
+        } else {
+            quantise(row, std::span(out.bytes).subspan(start, length));
+        }
     }
     return out;
 }
 
-void write_image(const Pixels& pixels, const OutputFormat& format, const std::string& path) {
-    const Samples samples = quantise(pixels, format);
+PixelRows rows_of(const Pixels& pixels) {
+    const auto fill = [&pixels](int y, std::span<float> row) {
+        std::copy_n(pixels.at(0, y), row.size(), row.begin());
+    };
+    return {pixels.width, pixels.height, pixels.channels, fill};
+}
+
+void write_image(const PixelRows& rows, const OutputFormat& format, const std::string& path) {
     const bool to_stdout = path == "-";
     const std::string base =
         to_stdout ? (std::filesystem::temp_directory_path() / "renderboy-stdout").string() : path;
     TemporaryFile temporary(fmt::format("{}.{}.part", base, getpid()));
     if (format.type == FileType::png) {
-        write_png(samples, format, temporary.path());
+        write_png(rows, format, temporary.path());
     } else {
-        write_with_oiio(samples, format, temporary.path());
+        write_with_oiio(samples_of(rows, format), format, temporary.path());
     }
     if (to_stdout) {
         copy_to_stdout(temporary.path());

@@ -2,7 +2,9 @@
 #include "image/gamma.h"
 #include "image/pixels.h"
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -25,9 +27,20 @@ struct OutputFormat {
     std::optional<Curve> curve;
 };
 
+/// A picture that is made while it is written: `fill` is called once for each row, top to bottom.
+struct PixelRows {
+    int width = 0;
+    int height = 0;
+    int channels = 3;
+    std::function<void(int y, std::span<float> row)> fill;
+};
+
+/// The rows of a picture that is there already, and stays while they are used.
+PixelRows rows_of(const Pixels& pixels);
+
 /// Writes to a temporary name beside `path` and renames it, so that a reader never sees half a picture and a
 /// failure leaves an old file untouched. `path` "-" writes to standard output. Throws IoError.
-void write_image(const Pixels& pixels, const OutputFormat& format, const std::string& path);
+void write_image(const PixelRows& rows, const OutputFormat& format, const std::string& path);
 
 /// Reads any picture as 3 or 4 channels of 0..1 (float formats unclamped), undecoded. Throws IoError.
 Pixels read_image(const std::string& path);

@@ -1,6 +1,6 @@
 #pragma once
+#include "base/scratch.h"
 #include "patterns/pattern_field.h"
-#include "patterns/scratch.h"
 
 namespace rb {
 

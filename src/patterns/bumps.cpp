@@ -1,7 +1,7 @@
 // bumps (manual 3.4.7.1.7): noise; as a normal, vector noise pushes the normal about.
+#include "base/scratch.h"
 #include "patterns/formula.h"
 #include "patterns/noise.h"
-#include "patterns/scratch.h"
 
 namespace rb {
 

@@ -1,7 +1,7 @@
 // dents (manual 3.4.7.1.13): noise cubed.
+#include "base/scratch.h"
 #include "patterns/formula.h"
 #include "patterns/noise.h"
-#include "patterns/scratch.h"
 
 namespace rb {
 

@@ -1,7 +1,7 @@
 // granite (manual 3.4.7.1.18): six octaves of noise folded at one half.
+#include "base/scratch.h"
 #include "patterns/formula.h"
 #include "patterns/noise.h"
-#include "patterns/scratch.h"
 
 #include <algorithm>
 

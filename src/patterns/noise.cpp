@@ -1,7 +1,7 @@
 #include "patterns/noise.h"
 
+#include "base/scratch.h"
 #include "patterns/noise_tables.h"
-#include "patterns/scratch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "patterns/warps.h"
 
+#include "base/scratch.h"
 #include "patterns/formula.h"
 #include "patterns/noise.h"
 #include "patterns/noise_tables.h"
-#include "patterns/scratch.h"
 
 #include <algorithm>
 

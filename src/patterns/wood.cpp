@@ -1,7 +1,7 @@
 // wood (manual 3.4.7.1.42): rings around z, disturbed by turbulence.
+#include "base/scratch.h"
 #include "patterns/formula.h"
 #include "patterns/noise.h"
-#include "patterns/scratch.h"
 
 namespace rb {
 

@@ -1,7 +1,7 @@
 // wrinkles (manual 3.4.7.1.41): ten octaves of noise.
+#include "base/scratch.h"
 #include "patterns/formula.h"
 #include "patterns/noise.h"
-#include "patterns/scratch.h"
 
 #include <algorithm>
 

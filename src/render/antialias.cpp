@@ -1,5 +1,6 @@
 #include "render/antialias.h"
 
+#include "base/scratch.h"
 #include "math/jitter.h"
 #include "math/random.h"
 
@@ -18,45 +19,44 @@ uint64_t seed_of(const Vec2& p) {
 
 }  // namespace
 
-void Sampler::sample(std::span<const Vec2> positions, std::vector<Radiance>& out) {
+void Sampler::sample(std::span<const Vec2> positions, std::span<Radiance> out) {
     if (lens_.is_open()) return sample_through_lens(positions, out);
-    batch_.clear();
-    batch_.reserve(positions.size());
-    for (const Vec2& p : positions) {
-        CameraRay& ray = batch_.emplace_back();
-        ray.exists = rays_.at(p.x, p.y, ray.ray);
-        ray.seed = seed_of(p);
+    Scratch::Scope memory(thread_scratch());
+    const auto batch = memory.take<CameraRay>(positions.size());
+    for (size_t i = 0; i < positions.size(); ++i) {
+        const Vec2& p = positions[i];
+        batch[i].exists = rays_.at(p.x, p.y, batch[i].ray);
+        batch[i].seed = seed_of(p);
     }
-    out.resize(positions.size());
-    integrator_.trace(batch_, out, counters_);
+    integrator_.trace(batch, out, counters_);
 }
 
 /// Chunk by chunk over all positions that want more samples still.
-void Sampler::sample_through_lens(std::span<const Vec2> positions, std::vector<Radiance>& out) {
+void Sampler::sample_through_lens(std::span<const Vec2> positions, std::span<Radiance> out) {
+    std::vector<CameraRay> batch;
     std::vector<LensSum> sums(positions.size());
     std::vector<size_t> open(positions.size());
     for (size_t i = 0; i < open.size(); ++i) open[i] = i;
     std::vector<Radiance> lights;
     while (!open.empty()) {
-        batch_.clear();
+        batch.clear();
         for (const size_t i : open) {
             const int first = sums[i].count;
             for (int k = first; k < first + lens_.next_chunk(first); ++k) {
-                CameraRay& ray = batch_.emplace_back();
+                CameraRay& ray = batch.emplace_back();
                 ray.exists = lens_.ray(rays_, positions[i].x, positions[i].y, k, ray.ray);
                 ray.seed = mixed(seed_of(positions[i]), static_cast<uint64_t>(k));
             }
         }
-        lights.resize(batch_.size());
-        integrator_.trace(batch_, lights, counters_);
+        lights.resize(batch.size());
+        integrator_.trace(batch, lights, counters_);
         size_t next = 0;
         std::erase_if(open, [&](size_t i) {
             const int last = sums[i].count + lens_.next_chunk(sums[i].count);
-            for (; sums[i].count < last; ++next) lens_.add(sums[i], batch_[next], lights[next]);
+            for (; sums[i].count < last; ++next) lens_.add(sums[i], batch[next], lights[next]);
             return lens_.is_settled(sums[i]);
         });
     }
-    out.resize(positions.size());
     for (size_t i = 0; i < out.size(); ++i) {
         const float scale = 1.0f / static_cast<float>(sums[i].count);
         out[i] = {sums[i].light.rgb * scale, sums[i].light.transmit * scale};
@@ -71,9 +71,7 @@ void render_plain(Sampler& sampler, const PixelBlock& block, std::span<Radiance>
     for (int y = block.y0; y < block.y1; ++y) {
         for (int x = block.x0; x < block.x1; ++x) positions.emplace_back(x, y);
     }
-    std::vector<Radiance> values;
-    sampler.sample(positions, values);
-    std::ranges::copy(values, out.begin());
+    sampler.sample(positions, out);
 }
 
 /// Method 1. The reference walks the pixels in order, and whether a pixel gets more samples depends on the
@@ -90,7 +88,14 @@ public:
           x0_(block.x0 - 1),
           y0_(block.y0 - 1),
           width_(block.width() + 1),
-          height_(block.height() + 1) {}
+          height_(block.height() + 1),
+          memory_(thread_scratch()),
+          center_(memory_.take<ComparableSample>(count())),
+          value_(memory_.take<ComparableSample>(count())),
+          refined_(memory_.take<ComparableSample>(count())),
+          has_refined_(memory_.take<uint8_t>(count(), uint8_t{0})),
+          done_(memory_.take<uint8_t>(count())),
+          wanted_(memory_.take<size_t>(count())) {}
 
     void render(std::span<Radiance> out) {
         trace_centers();
@@ -103,30 +108,25 @@ public:
     }
 
 private:
+    size_t count() const { return static_cast<size_t>(width_ * height_); }
     size_t index(int x, int y) const { return static_cast<size_t>(y * width_ + x); }
 
     void trace_centers() {
-        std::vector<Vec2> positions;
-        positions.reserve(static_cast<size_t>(width_ * height_));
+        Scratch::Scope memory(thread_scratch());
+        const auto positions = memory.take<Vec2>(count());
         for (int y = 0; y < height_; ++y) {
-            for (int x = 0; x < width_; ++x) {
-                // The corner above left is no pixel's neighbour.
-                positions.emplace_back(x + x0_, y + y0_);
-            }
+            for (int x = 0; x < width_; ++x) positions[index(x, y)] = {x + x0_, y + y0_};
         }
-        std::vector<Radiance> samples;
+        const auto samples = memory.take<Radiance>(count());
         sampler_.sample(positions, samples);
-        center_.reserve(samples.size());
-        for (const Radiance& light : samples) center_.push_back(distance_.comparable(light));
-        refined_.resize(center_.size());
-        has_refined_.assign(center_.size(), 0);
+        for (size_t i = 0; i < count(); ++i) center_[i] = distance_.comparable(samples[i]);
     }
 
     /// True if every wanted pixel had its samples.
     bool walk() {
-        value_ = center_;
-        done_.assign(center_.size(), 0);
-        wanted_.clear();
+        std::ranges::copy(center_, value_.begin());
+        std::ranges::fill(done_, uint8_t{0});
+        wanted_count_ = 0;
         for (int x = 0; x < width_; ++x) done_[index(x, 0)] = 1;
         for (int y = 0; y < height_; ++y) done_[index(0, y)] = 1;
         for (int y = 1; y < height_; ++y) {
@@ -142,7 +142,7 @@ private:
                 if (differs_left || differs_above) refine(here);
             }
         }
-        return wanted_.empty();
+        return wanted_count_ == 0;
     }
 
     void refine(size_t pixel) {
@@ -151,16 +151,19 @@ private:
         if (has_refined_[pixel]) {
             value_[pixel] = refined_[pixel];
         } else {
-            wanted_.push_back(pixel);
+            wanted_[wanted_count_++] = pixel;
         }
     }
 
     void trace_wanted() {
         const int n = options_.depth;
-        std::vector<Vec2> positions;
-        positions.reserve(wanted_.size() * static_cast<size_t>(n * n));
+        const auto per_pixel = static_cast<size_t>(n * n);
+        const auto wanted = wanted_.first(wanted_count_);
+        Scratch::Scope memory(thread_scratch());
+        const auto positions = memory.take<Vec2>(wanted.size() * per_pixel);
         const double step = 1.0 / n;
-        for (const size_t pixel : wanted_) {
+        size_t next = 0;
+        for (const size_t pixel : wanted) {
             const int x = static_cast<int>(pixel) % width_ + x0_;
             const int y = static_cast<int>(pixel) / width_ + y0_;
             for (int j = 0; j < n; ++j) {
@@ -168,21 +171,20 @@ private:
                     const double px = x + (-0.5 + step / 2.0 + i * step);
                     const double py = y + (-0.5 + step / 2.0 + j * step);
                     const Vec2 jitter = position_jitter(px, py) * (options_.jitter / n);
-                    positions.emplace_back(px + jitter.x, py + jitter.y);
+                    positions[next++] = {px + jitter.x, py + jitter.y};
                 }
             }
         }
-        std::vector<Radiance> samples;
+        const auto samples = memory.take<Radiance>(positions.size());
         sampler_.sample(positions, samples);
-        const auto count = static_cast<size_t>(n * n);
-        for (size_t k = 0; k < wanted_.size(); ++k) {
-            const size_t pixel = wanted_[k];
+        for (size_t k = 0; k < wanted.size(); ++k) {
+            const size_t pixel = wanted[k];
             Radiance sum = center_[pixel].light;
-            for (size_t s = k * count; s < (k + 1) * count; ++s) {
-                sum.rgb += samples[s].rgb;
-                sum.transmit += samples[s].transmit;
+            for (const Radiance& sample : samples.subspan(k * per_pixel, per_pixel)) {
+                sum.rgb += sample.rgb;
+                sum.transmit += sample.transmit;
             }
-            const float scale = 1.0f / static_cast<float>(count + 1);
+            const float scale = 1.0f / static_cast<float>(per_pixel + 1);
             refined_[pixel] = distance_.comparable({sum.rgb * scale, sum.transmit * scale});
             has_refined_[pixel] = 1;
         }
@@ -195,12 +197,14 @@ private:
     int y0_;
     int width_;
     int height_;
-    std::vector<ComparableSample> center_;
-    std::vector<ComparableSample> value_;
-    std::vector<ComparableSample> refined_;
-    std::vector<uint8_t> has_refined_;
-    std::vector<uint8_t> done_;
-    std::vector<size_t> wanted_;
+    Scratch::Scope memory_;
+    std::span<ComparableSample> center_;
+    std::span<ComparableSample> value_;
+    std::span<ComparableSample> refined_;
+    std::span<uint8_t> has_refined_;
+    std::span<uint8_t> done_;
+    std::span<size_t> wanted_;
+    size_t wanted_count_ = 0;
 };
 
 /// Method 2: each pixel is a square whose corners are sampled; where corners differ, the square is quartered.
@@ -249,7 +253,7 @@ private:
                 positions.emplace_back(block_.x0 + x - 0.5, block_.y0 + y - 0.5);
             }
         }
-        std::vector<Radiance> samples;
+        std::vector<Radiance> samples(positions.size());
         sampler_.sample(positions, samples);
         for (const Radiance& light : samples) corners_.push_back(distance_.comparable(light));
     }
@@ -335,7 +339,7 @@ private:
             const Vec2 jitter = position_jitter(px, py) * amount;
             positions.emplace_back(px + jitter.x, py + jitter.y);
         }
-        std::vector<Radiance> samples;
+        std::vector<Radiance> samples(positions.size());
         sampler_.sample(positions, samples);
         for (size_t k = 0; k < wanted_.size(); ++k)
             pixels_[wanted_[k].pixel].emplace(wanted_[k].key, distance_.comparable(samples[k]));

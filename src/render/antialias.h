@@ -33,16 +33,15 @@ public:
     Sampler(const Integrator& integrator, const CameraRays& rays, const Lens& lens, RayCounters& counters)
         : integrator_(integrator), rays_(rays), lens_(lens), counters_(counters) {}
 
-    void sample(std::span<const Vec2> positions, std::vector<Radiance>& out);
+    void sample(std::span<const Vec2> positions, std::span<Radiance> out);
 
 private:
-    void sample_through_lens(std::span<const Vec2> positions, std::vector<Radiance>& out);
+    void sample_through_lens(std::span<const Vec2> positions, std::span<Radiance> out);
 
     const Integrator& integrator_;
     const CameraRays& rays_;
     const Lens& lens_;
     RayCounters& counters_;
-    std::vector<CameraRay> batch_;
 };
 
 /// Renders one block; `out` gets its pixels row by row. The result depends on the block's place, as in the

@@ -30,14 +30,7 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
       up_length_(glm::length(camera.up)),
       angle_(camera.angle_deg * pi / 180.0) {}
 
-bool CameraRays::at(double x, double y, Ray& ray) const {
-    const double x0 = (x + 0.5) / width_ - 0.5;
-    const double y0 = 0.5 - (y + 0.5) / height_;
-    if (camera_.kind == CameraKind::perspective) {
-        ray.origin = camera_.location;
-        ray.direction = glm::normalize(camera_.direction + x0 * camera_.right + y0 * camera_.up);
-        return true;
-    }
+bool CameraRays::other_at(double x0, double y0, Ray& ray) const {
     const auto direction = curved_direction(x0, y0);
     if (!direction) return false;
     ray = {origin(x0, y0), glm::normalize(*direction)};

@@ -14,7 +14,14 @@ public:
     /// The ray through the continuous picture position (x, y): (0, 0) is the centre of the top left pixel, x
     /// grows to the right, y downward. False where this kind of camera makes no ray. The direction is unit
     /// length.
-    bool at(double x, double y, Ray& ray) const;
+    bool at(double x, double y, Ray& ray) const {
+        const double x0 = (x + 0.5) / width_ - 0.5;
+        const double y0 = 0.5 - (y + 0.5) / height_;
+        if (camera_.kind != CameraKind::perspective) return other_at(x0, y0, ray);
+        ray.origin = camera_.location;
+        ray.direction = glm::normalize(camera_.direction + x0 * camera_.right + y0 * camera_.up);
+        return true;
+    }
 
     /// Its direction before it is made unit length; absent where there is none.
     std::optional<Vec3> direction(double x, double y) const {
@@ -22,6 +29,8 @@ public:
     }
 
 private:
+    /// For the kinds other than perspective.
+    bool other_at(double x0, double y0, Ray& ray) const;
     /// For the kinds whose rays follow a curve.
     std::optional<Vec3> curved_direction(double x0, double y0) const;
     Vec3 origin(double x0, double y0) const;

@@ -1,6 +1,7 @@
 #include "render/render.h"
 
 #include "base/parallel.h"
+#include "base/scratch.h"
 
 #include <mutex>
 
@@ -57,7 +58,8 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
             }
         }
         RayCounters counters;
-        std::vector<Radiance> pixels(count);
+        Scratch::Scope memory(thread_scratch());
+        const auto pixels = memory.take<Radiance>(count);
         Sampler sampler(integrator, rays, lens, counters);
         render_block(sampler, block, options.antialias, distance, pixels);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/huge_pages.h"
 #include "render/antialias.h"
 
 #include <atomic>
@@ -11,8 +12,8 @@ namespace rb {
 struct Film {
     int width = 0;
     int height = 0;
-    std::vector<Radiance>
-        pixels;  ///< rows top to bottom; pixels that were not rendered are black, transmit 0
+    /// Rows top to bottom; pixels that were not rendered are black, transmit 0.
+    std::vector<Radiance, HugePages<Radiance>> pixels;
 
     Radiance& at(int x, int y) {
         return pixels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];

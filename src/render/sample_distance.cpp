@@ -5,15 +5,6 @@
 
 namespace rb {
 
-namespace {
-
-constexpr uint32_t table_shift =
-    17;  ///< 64 entries per power of two, linear between them: 4e-5 off at the most
-constexpr float table_least = 0x1p-20f;
-constexpr float table_greatest = 0x1p10f;
-
-}  // namespace
-
 SampleDistance::SampleDistance(const std::optional<GammaCurve>& assumed_gamma, double antialias_gamma) {
     double working = 1.0;
     if (assumed_gamma) {
@@ -42,17 +33,6 @@ double SampleDistance::operator()(const Radiance& a, const Radiance& b) const {
         if (a.rgb[c] != b.rgb[c]) sum += std::abs(encoded(a.rgb[c]) - encoded(b.rgb[c]));
     }
     return sum;
-}
-
-float SampleDistance::roughly_encoded(float v) const {
-    if (raw_) return v;
-    if (!(v >= table_least && v < table_greatest))
-        return v == 0.0f ? 0.0f : std::numeric_limits<float>::quiet_NaN();
-    const uint32_t bits = std::bit_cast<uint32_t>(v);
-    const uint32_t slot = (bits >> table_shift) - (std::bit_cast<uint32_t>(table_least) >> table_shift);
-    constexpr float step = 1u << table_shift;
-    const float t = static_cast<float>(bits & ((1u << table_shift) - 1)) / step;
-    return table_[slot] + t * (table_[slot + 1] - table_[slot]);
 }
 
 bool SampleDistance::exactly_at_least(const ComparableSample& a, const ComparableSample& b,

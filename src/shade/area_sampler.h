@@ -1,6 +1,6 @@
 #pragma once
+#include "base/scratch.h"
 #include "math/random.h"
-#include "patterns/scratch.h"
 #include "shade/light_program.h"
 
 namespace rb {

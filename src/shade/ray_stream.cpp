@@ -37,6 +37,7 @@ void RayStream::start(std::span<const CameraRay> rays) {
 
     Vec3 origin = program_.world.camera.location;
     InteriorList inside = state_.interiors.add(program_.camera_interiors);
+    state_.rays.reserve(rays.size());
     for (size_t i = 0; i < rays.size(); ++i) {
         if (!rays[i].exists) continue;
         if (program_.tracks_interiors && rays[i].ray.origin != origin) {
@@ -44,12 +45,12 @@ void RayStream::start(std::span<const CameraRay> rays) {
             inside = state_.interiors.add(program_.geometry.interiors_at(origin));
         }
         PathRay& ray = state_.rays.emplace_back();
+        ray.inside = inside;
         ray.ray = rays[i].ray;
         ray.slot = static_cast<uint32_t>(i);
         ray.seed = rays[i].seed;
-        ray.inside = inside;
-        ++state_.counters.camera;
     }
+    state_.counters.camera = state_.rays.size();
 }
 
 void RayStream::run_wave() {
@@ -109,7 +110,7 @@ void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     const PathRay& ray = state_.rays[ray_index];
     Rgb weight = ray.weight;
     float alpha = ray.alpha;
-    pass_fog(ray, hit.t, weight, alpha);
+    if (!program_.fog.empty()) pass_fog(ray, hit.t, weight, alpha);
     const uint32_t surface = program_.leaf_surfaces[hit.leaf];
     if (surface != no_surface) {
         add_point(ray_index, hit, program_.surfaces[surface], weight, alpha);
@@ -138,7 +139,7 @@ void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgr
 }
 
 void RayStream::pass_fog(const PathRay& ray, double length, Rgb& weight, float& alpha) {
-    if (program_.fog.empty() || !state_.in_the_open(program_.world, ray.inside)) return;
+    if (!state_.in_the_open(program_.world, ray.inside)) return;
     const FogEffect effect = program_.fog.along(ray.ray, length);
     state_.slots[ray.slot].rgb += weight * effect.added;
     weight *= effect.attenuation;
@@ -164,7 +165,7 @@ void RayStream::shade_sky(std::span<const uint32_t> misses) {
         const SkyLight& seen = light.empty() ? program_.sky.plain(shows_alpha[i] != 0) : light[i];
         Rgb weight = ray.weight;
         float alpha = ray.alpha;
-        pass_fog(ray, endless, weight, alpha);
+        if (!program_.fog.empty()) pass_fog(ray, endless, weight, alpha);
         LightSlot& slot = state_.slots[ray.slot];
         slot.rgb += weight * seen.rgb;
         slot.transmit += alpha * seen.transmit;

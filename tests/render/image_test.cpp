@@ -46,7 +46,7 @@ TEST_P(Formats, RoundTrip) {
     format.curve = Curve(GammaCurve{SrgbCurve{}});
     if (is_linear(c.type)) format.curve = Curve(GammaCurve{1.0});
     const std::string path = temporary(std::string("roundtrip_") + c.name);
-    write_image(written, format, path);
+    write_image(rows_of(written), format, path);
     const Pixels read = read_image(path);
     ASSERT_EQ(read.width, written.width);
     ASSERT_EQ(read.height, written.height);
@@ -90,9 +90,9 @@ TEST(Png, EqualsTheSlowTwin) {
         for (const int bits : {8, 16}) {
             OutputFormat format;
             format.bits = bits;
-            const Samples samples = quantise(gradient(33, 17, channels), format);
-            write_png(samples, format, temporary("fast.png"));
-            write_with_oiio(samples, format, temporary("slow.png"));
+            const Pixels pixels = gradient(33, 17, channels);
+            write_png(rows_of(pixels), format, temporary("fast.png"));
+            write_with_oiio(samples_of(rows_of(pixels), format), format, temporary("slow.png"));
             EXPECT_EQ(read_image(temporary("fast.png")).values, read_image(temporary("slow.png")).values);
         }
     }
@@ -102,14 +102,16 @@ TEST(WriteImage, FailureLeavesTheOldFileAndNothingElse) {
     const fs::path folder = fs::path(testing::TempDir()) / "write_image";
     fs::remove_all(folder);
     fs::create_directories(folder / "taken.png");  // a folder in the way: renaming onto it fails
-    EXPECT_THROW(write_image(gradient(4, 4, 3), {}, (folder / "taken.png").string()), IoError);
+    const Pixels small = gradient(4, 4, 3);
+    EXPECT_THROW(write_image(rows_of(small), {}, (folder / "taken.png").string()), IoError);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}), 1);
-    EXPECT_THROW(write_image(gradient(4, 4, 3), {}, (folder / "no/such/folder.png").string()), IoError);
+    EXPECT_THROW(write_image(rows_of(small), {}, (folder / "no/such/folder.png").string()), IoError);
 }
 
 TEST(ReadImage, TruncatedFilesAreErrors) {
     const std::string path = temporary("whole.png");
-    write_image(gradient(24, 64, 3), {}, path);
+    const Pixels tall = gradient(24, 64, 3);
+    write_image(rows_of(tall), {}, path);
     std::ifstream in(path, std::ios::binary);
     const std::string all(std::istreambuf_iterator<char>(in), {});
     for (const size_t length : {size_t{0}, size_t{7}, size_t{30}, all.size() / 2}) {

@@ -1,4 +1,4 @@
-#include "patterns/scratch.h"
+#include "base/scratch.h"
 
 #include <algorithm>
 
