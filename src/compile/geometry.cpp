@@ -36,14 +36,12 @@ private:
 class Search {
 public:
     Search(const Geometry::Parts& parts, const RayQuery& query)
-        : parts_(parts),
-          query_(query),
-          inverse_dd_(1.0 / glm::dot(query.ray.direction, query.ray.direction)) {
+        : parts_(parts), query_(query), ray_{query.ray} {
         ray_.t_min = query.t_min;
         if (query.origin_leaf == no_leaf) return;
         ray_.origin_error =
             std::max(query.origin_error, coordinate_error * largest_magnitude(query.ray.origin));
-        ray_.t_min = std::max(ray_.t_min, 4.0 * ray_.origin_error * std::sqrt(inverse_dd_));
+        ray_.t_min = std::max(ray_.t_min, 4.0 * ray_.origin_error);
     }
 
     double t_min() const { return ray_.t_min; }
@@ -76,7 +74,7 @@ private:
         const double radius = static_cast<double>(e.radius);
         if (radius == std::numeric_limits<double>::infinity()) return false;
         const Vec3 from = query_.ray.origin - Vec3(e.center);
-        const double middle = -glm::dot(from, query_.ray.direction) * inverse_dd_;
+        const double middle = -glm::dot(from, query_.ray.direction);
         const Vec3 foot = from + middle * query_.ray.direction;
         constexpr double rounding = 1e-13;
         return glm::dot(foot, foot) > radius * radius + rounding * glm::dot(from, from);
@@ -85,12 +83,6 @@ private:
     template <bool any>
     bool ask(const Element& e, double t_max, Crossing& found) const {
         const bool starts = e.leaf == query_.origin_leaf;
-        if (!has_ray_) {
-            // Not at the start of a query: the caller has hardly stored the ray by then, and the copy would
-            // wait for that.
-            ray_.ray = query_.ray;
-            has_ray_ = true;
-        }
         ray_.t_max = t_max;
         ray_.starts_on_surface = starts;
         ray_.origin_part = starts ? query_.origin_part : any_part;
@@ -104,22 +96,28 @@ private:
     template <bool any>
     bool ask_elsewhere(const Element& e, Crossing& found) const {
         const Leaf& leaf = parts_.flat.leaves[e.leaf];
-        ShapeRay moved = ray_;
-        if (!e.in_world_space) {
-            moved.ray = {leaf.object_from_world.point(ray_.ray.origin),
-                         leaf.object_from_world.direction(ray_.ray.direction)};
-            moved.origin_error *= static_cast<double>(e.object_stretch);
-        }
+        if (e.in_world_space) return ask_solid<any>(e, leaf, ray_, found);
+        const Ray ray{leaf.object_from_world.point(ray_.ray.origin),
+                      leaf.object_from_world.direction(ray_.ray.direction)};
+        const ShapeRay moved{ray,
+                             ray_.t_min,
+                             ray_.t_max,
+                             ray_.origin_error * static_cast<double>(e.object_stretch),
+                             ray_.starts_on_surface,
+                             ray_.origin_part};
+        return ask_solid<any>(e, leaf, moved, found);
+    }
+
+    template <bool any>
+    bool ask_solid(const Element& e, const Leaf& leaf, const ShapeRay& ray, Crossing& found) const {
         if (!e.tests_hits)
-            return any ? e.shape->any(moved, nullptr, found) : e.shape->closest(moved, nullptr, found);
+            return any ? e.shape->any(ray, nullptr, found) : e.shape->closest(ray, nullptr, found);
         const SolidFilter filter(parts_.flat.solids, leaf, query_.ray);
-        return any ? e.shape->any(moved, &filter, found) : e.shape->closest(moved, &filter, found);
+        return any ? e.shape->any(ray, &filter, found) : e.shape->closest(ray, &filter, found);
     }
 
     const Geometry::Parts& parts_;
     const RayQuery& query_;
-    double inverse_dd_;
-    mutable bool has_ray_ = false;
     mutable ShapeRay ray_;  ///< for shapes in world space; the rest changes from element to element
 };
 

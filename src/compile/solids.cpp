@@ -68,13 +68,11 @@ bool SolidForest::crosses(uint32_t index, const Ray& ray) const {
         return false;
     }
     const PlacedShape& placed = shapes[node.placed];
-    ShapeRay query{ray};
-    if (!placed.in_world_space) {
-        query.ray = {placed.object_from_world.point(ray.origin),
-                     placed.object_from_world.direction(ray.direction)};
-    }
+    const Ray moved = placed.in_world_space ? ray
+                                            : Ray{placed.object_from_world.point(ray.origin),
+                                                  placed.object_from_world.direction(ray.direction)};
     Crossings all;
-    placed.shape->crossings(query, all);
+    placed.shape->crossings(ShapeRay{moved}, all);
     for (size_t i = 0; i < all.size(); ++i) {
         if (counts(index, ray.at(all[i].t), ray)) return true;
     }

@@ -55,7 +55,7 @@ constexpr uint32_t no_leaf = std::numeric_limits<uint32_t>::max();
 
 /// A ray's question to the geometry.
 struct RayQuery {
-    Ray ray;
+    Ray ray;  ///< of unit length
     double t_max = std::numeric_limits<double>::infinity();
     uint8_t mask = seen_by_image;
     uint32_t origin_leaf = no_leaf;   ///< the leaf on whose surface the ray starts

@@ -1,15 +1,9 @@
 #include "math/jitter.h"
 
-#include "math/shuffle.h"
-
-#include <array>
-
 namespace rb {
 
-namespace {
-
 // Offsets as measured from the reference (shading spec 19.2).
-constexpr std::array<float, 256> jitter_table{
+const std::array<float, 256> jitter_table{
     -0.500000f, 0.005890f,  0.011749f,  -0.490234f, 0.023468f,  -0.470703f, -0.480469f, 0.017609f,
     0.046906f,  -0.447266f, -0.441406f, 0.056671f,  -0.460938f, 0.044952f,  0.035187f,  -0.466797f,
     0.093781f,  -0.400391f, -0.394531f, 0.103546f,  -0.382813f, 0.123077f,  0.113312f,  -0.388672f,
@@ -43,18 +37,5 @@ constexpr std::array<float, 256> jitter_table{
     0.031250f,  -0.462860f, -0.457001f, 0.041016f,  -0.445282f, 0.060547f,  0.050781f,  -0.451141f,
     -0.484344f, 0.021484f,  0.027344f,  -0.474579f, 0.007813f,  -0.486298f, -0.496063f, 0.001953f,
 };
-
-double jitter_component(double a, double b) {
-    const ShuffledHash& hash = shuffled_hash;
-    const auto first = static_cast<uint32_t>(static_cast<int32_t>(a)) & 4095u;
-    const auto second = static_cast<uint32_t>(static_cast<int32_t>(b));
-    return static_cast<double>(jitter_table[hash[(hash[first] ^ second) & 4095u] & 255u]);
-}
-
-}  // namespace
-
-Vec2 position_jitter(double x, double y) {
-    return {jitter_component(x * 1021.0, y * 1019.0), jitter_component(x * 1019.0, y * 1021.0)};
-}
 
 }  // namespace rb

@@ -30,7 +30,7 @@ struct Crossing {
 /// computed t: a shape leaves out a crossing at the origin if the origin is within `origin_error` of that
 /// part of its surface, and with `starts_on_surface` the one at the part nearest to the origin in any case.
 struct ShapeRay {
-    Ray ray;
+    const Ray& ray;
     double t_min = 0;
     double t_max = std::numeric_limits<double>::infinity();
     double origin_error = 0;          ///< shape units; 0 for rays that start in free space

@@ -65,7 +65,8 @@ void RayStream::intersect() {
     Scratch::Scope memory(thread_scratch());
     const auto misses = memory.take<uint32_t>(state_.rays.size());
     size_t miss_count = 0;
-    RayQuery query;
+    // Together, since a processor waits for what it has only just stored in other pieces than it reads.
+    std::array<RayQuery, bundle_size> queries;
     Hit hit;
     const auto count = static_cast<uint32_t>(state_.rays.size());
     for (uint32_t begin = 0; begin < count; begin += bundle_size) {
@@ -73,12 +74,16 @@ void RayStream::intersect() {
         const Candidates* ahead = candidates(std::span(state_.rays).subspan(begin, end - begin));
         for (uint32_t i = begin; i < end; ++i) {
             const PathRay& ray = state_.rays[i];
+            RayQuery& query = queries[i - begin];
             query.ray = ray.ray;
             query.mask = mask_of(ray);
             query.origin_leaf = ray.origin_leaf;
             query.origin_part = ray.origin_part;
             query.origin_error = ray.origin_error;
-            if (!(ahead && ahead->none()) && program_.geometry.closest(query, hit, ahead)) {
+        }
+        const bool all_miss = ahead && ahead->none();
+        for (uint32_t i = begin; i < end; ++i) {
+            if (!all_miss && program_.geometry.closest(queries[i - begin], hit, ahead)) {
                 add_hit(i, hit);
             } else {
                 misses[miss_count++] = i;

@@ -90,20 +90,22 @@ Rgb ShadowTracer::arriving(size_t light, const HitPoint& hit, const LightVector&
     const LightProgram& program = program_.lights[light];
     if (passes_all(program, candidates)) return color;
     if (program.light().is_area) return over_area(light, hit, to_center, color, candidates);
-    return along(program.light(), hit, to_center, color, candidates,
+    RayQuery query = StreamState::query_from(hit, to_center.direction, 0.0, program_.shadow_mask);
+    return along(program.light(), hit, query, to_center.distance, color, candidates,
                  state_.blockers[program_.first_sample[light]]);
 }
 
-Rgb ShadowTracer::along(const Light& light, const HitPoint& hit, const LightVector& way, Rgb color,
+/// `query`: from the hit towards the light, with the shadow mask; its t_max and mask are set here.
+Rgb ShadowTracer::along(const Light& light, const HitPoint& hit, RayQuery& query, double distance, Rgb color,
                         const Candidates* candidates, uint32_t& blocker) {
-    const double t_max = shadow_reach(way.distance);
-    if (!(t_max > 0.0)) return color;
+    query.t_max = shadow_reach(distance);
+    if (!(query.t_max > 0.0)) return color;
     if (is_dimmed(light) && state_.in_the_open(program_.world, state_.ray_of(hit).inside)) {
-        color *= program_.fog.along({hit.point, way.direction}, way.distance).attenuation;
+        color *= program_.fog.along(query.ray, distance).attenuation;
     }
     if (candidates && candidates->none()) return color;
     ++state_.counters.shadow;
-    RayQuery query = StreamState::query_from(hit, way.direction, t_max, program_.shadow_mask);
+    query.mask = program_.shadow_mask;
     if (!program_.geometry.occluded(query, blocker, candidates)) return color;
     if (program_.geometry.leaf(blocker).mask & blocks_light) return Rgb(0.0f);
     // Something clear is in the way; whatever is opaque behind or before it decides first.
@@ -114,18 +116,17 @@ Rgb ShadowTracer::along(const Light& light, const HitPoint& hit, const LightVect
         blocker = opaque_blocker;
         return Rgb(0.0f);
     }
-    return filtered(hit, way, t_max, color, candidates);
+    query.mask = filters_light;
+    return filtered(hit, query, color, candidates);
 }
 
-Rgb ShadowTracer::filtered(const HitPoint& from, const LightVector& way, double t_max, Rgb color,
-                           const Candidates* candidates) {
+Rgb ShadowTracer::filtered(const HitPoint& from, RayQuery query, Rgb color, const Candidates* candidates) {
     const auto view = state_.interiors.view(state_.ray_of(from).inside);
     thread_local std::vector<uint32_t> inside;
     inside.assign(view.begin(), view.end());
-    RayQuery query = StreamState::query_from(from, way.direction, t_max, filters_light);
     Hit hit;
     while (program_.geometry.closest(query, hit, candidates)) {
-        color *= filter_of(hit, way.direction, hit.t, inside);
+        color *= filter_of(hit, query.ray.direction, hit.t, inside);
         if (is_black(color)) return Rgb(0.0f);
         const uint32_t interior = program_.surface_of(hit.leaf).interior;
         const auto known = std::find(inside.begin(), inside.end(), interior);
@@ -189,6 +190,7 @@ struct ShadowTracer::Grid {
     const AreaSampler& sampler;
     const Rgb& color;
     const Candidates* candidates;
+    RayQuery query;
     std::span<Rgb> arrived;
     std::span<uint8_t> known;
     std::span<uint32_t> blockers;
@@ -239,6 +241,7 @@ Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector
               sampler,
               color,
               candidates,
+              StreamState::query_from(hit, to_center.direction, 0.0, program_.shadow_mask),
               memory.take<Rgb>(count),
               memory.take<uint8_t>(count, uint8_t{0}),
               std::span(state_.blockers).subspan(program_.first_sample[light], count),
@@ -260,8 +263,9 @@ void ShadowTracer::look_at_corners(Grid& grid, const std::array<GridCorner, 4>& 
         const uint32_t index = corners[k].index;
         if (grid.known[index]) continue;
         grid.known[index] = 1;
-        grid.arrived[index] =
-            along(light.light(), grid.hit, grid.ways[k], grid.color, grid.candidates, grid.blockers[index]);
+        grid.query.ray.direction = grid.ways[k].direction;
+        grid.arrived[index] = along(light.light(), grid.hit, grid.query, grid.ways[k].distance, grid.color,
+                                    grid.candidates, grid.blockers[index]);
     }
 }
 
