@@ -133,7 +133,8 @@ void fill_hit(const Geometry::Parts& parts, const RayQuery& query, Hit& hit) {
         hit.normal = leaf.object_from_world.transposed_direction(leaf.shape->normal(p, hit.crossing));
     }
     const double square = glm::dot(hit.normal, hit.normal);
-    if (square == 1.0) {
+    // Most shapes make unit normals, up to rounding.
+    if (std::abs(square - 1.0) < 1e-12) {
         if (leaf.inverted) hit.normal = -hit.normal;
     } else if (square > 0.0) {
         const double length = std::sqrt(square);

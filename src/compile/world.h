@@ -73,7 +73,8 @@ struct SurfaceWeight {
 struct Hit {
     double t = 0;
     Vec3 point{0.0};
-    Vec3 normal{0.0};  ///< unit, outward of the solid (inversions applied); not turned towards the ray
+    /// Unit within 1e-12, outward of the solid (inversions applied); not turned towards the ray.
+    Vec3 normal{0.0};
     uint32_t leaf = no_leaf;
     Crossing crossing;
     double error = 0;  ///< bound on the distance of `point` to the true surface
