@@ -10,7 +10,11 @@ struct items;
 /// block = keyword "{" items "}"
 struct block_open : seq<is<Tok::keyword>, is<Tok::lbrace>> {};
 struct block_close : is<Tok::rbrace> {};
-struct block : if_must<block_open, nested<items, must<block_close>>> {};
+struct inner;
+struct plain_items : quick_items<inner> {};
+struct further_items;
+struct inner : block_rest<plain_items, further_items, block_close> {};
+struct block : if_must<block_open, inner> {};
 
 /// entry = "[" items "]"        of a map
 struct entry_open : is<Tok::lbracket> {};
@@ -46,10 +50,7 @@ struct stray : is_not<Tok::rbrace, Tok::rbracket> {};
 /// items = { item [","] }
 struct item : sor<packed_run, color_item, srgb_gamma, block, value_item, function_item, function_image, tuple,
                   plain_word, entry, stray> {};
-struct items : seq<quick_items, star<item, opt_comma, quick_items>> {};
-
-/// What follows the keyword of a statement.
-struct statement_open : is<Tok::lbrace> {};
-struct statement : must<statement_open, nested<items, must<block_close>>> {};
+struct further_items : star<item, opt_comma, plain_items> {};
+struct items : seq<plain_items, further_items> {};
 
 }  // namespace rb::grammar

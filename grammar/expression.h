@@ -26,7 +26,8 @@ struct value_is_array {
         return state.value_is_array();
     }
 };
-struct subscript : if_must<is<Tok::lbracket>, nested<sum, must<bracket_close>>> {};
+struct subscript_close : is<Tok::rbracket> {};
+struct subscript : if_must<is<Tok::lbracket>, nested<sum, must<subscript_close>>> {};
 struct element : seq<ask<value_is_array>, subscript> {};
 
 /// call_of_value = "(" sum { [","] sum } [ [","] spline type ] ")"        if the value is a function or a
@@ -53,7 +54,9 @@ struct constant : is<Tok::constant> {};
 struct text_literal : is<Tok::text> {};
 
 /// group = "(" full ")"
-struct group : if_must<paren_open, nested<full, must<paren_close>>> {};
+struct group_open : is<Tok::lparen> {};
+struct group_close : is<Tok::rparen> {};
+struct group : if_must<group_open, nested<full, must<group_close>>> {};
 
 /// vector = "<" sum { [","] sum } [","] ">"
 struct vector_begin : vector_open {};
@@ -83,8 +86,10 @@ struct primary : sor<number, name, vector, constant, group, call_one, call_many,
 /// factor = primary [ component ] | "+" factor | "-" factor | "!" factor
 struct factor;
 struct plus_sign : if_must<is<Tok::plus>, nested<factor>> {};
-struct negation : if_must<is<Tok::minus>, nested<factor>> {};
-struct inversion : if_must<is<Tok::bang>, nested<factor>> {};
+struct negation_sign : is<Tok::minus> {};
+struct negation : if_must<negation_sign, nested<factor>> {};
+struct inversion_sign : is<Tok::bang> {};
+struct inversion : if_must<inversion_sign, nested<factor>> {};
 struct operand : seq<primary, opt<component>> {};
 struct factor : seq<open_next, sor<operand, negation, inversion, plus_sign>> {};
 

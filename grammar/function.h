@@ -81,7 +81,7 @@ struct f_is_callable {
         return state.function_name_is_callable();
     }
 };
-struct f_subscript : if_must<seq<ask<f_is_array>, is<Tok::lbracket>>, nested<sum, must<bracket_close>>> {};
+struct f_subscript : if_must<seq<ask<f_is_array>, is<Tok::lbracket>>, nested<sum, must<subscript_close>>> {};
 struct f_value_open : seq<ask<f_is_callable>, paren_open> {};
 struct f_value_close : is<Tok::rparen> {};
 struct f_component_name : is<Tok::constant, Tok::component, Tok::keyword> {};

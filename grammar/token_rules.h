@@ -125,16 +125,39 @@ struct quick_expression {
     }
 };
 
-/// Items of a block that the input can read by itself, each with the comma behind it; there may be none.
+/// The rest of a block whose opening brace was taken: `Plain` items, other `Items`, then the brace that the
+/// rule `Close` stands for.
+template <class Plain, class Items, class Close>
+struct block_rest {
+    using rule_t = block_rest;
+    using subs_t = type_list<Plain, Items, must<Close>>;
+    template <apply_mode A, rewind_mode M, template <class...> class Action,
+              template <class...> class Control, class Input, class... States>
+    static bool match(Input& in, States&&... st) {
+        const auto guard = in.enter();
+        if (!Control<Plain>::template match<A, M, Action, Control>(in, st...)) return false;
+        if (in.take_quick_close(st...)) return true;
+        if (!Control<Items>::template match<A, M, Action, Control>(in, st...)) return false;
+        if (in.take_quick_close(st...)) return true;
+        return tao::pegtl::internal::must<Close>::template match<A, M, Action, Control>(in, st...);
+    }
+};
+
+/// Items that the input can read by itself, and blocks that it can open, each with the comma behind it; there
+/// may be none.
+template <class Rest>
 struct quick_items {
     using rule_t = quick_items;
-    using subs_t = empty_list;
-    template <apply_mode, rewind_mode, template <class...> class, template <class...> class, class Input,
-              class State>
-    static bool match(Input& in, State& state) {
-        while (in.take_quick_item(state)) {
+    using subs_t = type_list<Rest>;
+    template <apply_mode A, rewind_mode M, template <class...> class Action,
+              template <class...> class Control, class Input, class... States>
+    static bool match(Input& in, States&&... st) {
+        while (true) {
+            if (in.take_quick_item(st...)) continue;
+            if (!in.take_quick_open(st...)) return true;
+            if (!Control<Rest>::template match<A, M, Action, Control>(in, st...)) return false;
+            in.take_quick_comma();
         }
-        return true;
     }
 };
 

@@ -22,7 +22,7 @@ first_error() {
          found == 1 && /^ [^ ]/ { text = text $0; next }
          found == 1 { found = 2 }
          /^Fatal error in parser: Cannot open file/ && !found { text = "Cannot open file." }
-         END { sub(/.*Parse Error: /, "", text); sub(/Cannot open (image|font) file .*/, "Cannot open file.", text); sub(/ \(did you mean.*/, "", text); print text }' "$1"
+         END { sub(/.*Parse Error: /, "", text); sub(/Cannot open (image|font) file.*/, "Cannot open file.", text); sub(/ \(did you mean.*/, "", text); print text }' "$1"
 }
 
 # check_one NAME ARGUMENTS...: run in the scene's folder

@@ -1,5 +1,7 @@
 #include "app/console.h"
 
+#include "app/message_files.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <unistd.h>
@@ -22,22 +24,6 @@ std::string duration_text(double seconds) {
     return fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);
 }
 
-/// Broken at blanks into lines of at most 80 characters; all but the first begin with a blank. Problem
-/// matchers of editors rely on it.
-std::string wrapped(std::string_view text) {
-    constexpr size_t width = 80;
-    std::string out;
-    while (out.size() + text.size() > 0) {
-        const size_t room = out.empty() ? width : width - 1;
-        const size_t blank = text.size() > room ? text.rfind(' ', room) : std::string_view::npos;
-        if (!out.empty()) out += "\n ";
-        if (blank == std::string_view::npos || blank == 0) return out += text;
-        out += text.substr(0, blank);
-        text.remove_prefix(blank + 1);
-    }
-    return out;
-}
-
 bool is_terminal() {
     const char* term = std::getenv("TERM");
     return isatty(STDERR_FILENO) == 1 && term && std::string_view(term) != "dumb" && !std::getenv("CI");
@@ -47,6 +33,16 @@ bool is_terminal() {
 
 Console::Console(bool verbose, bool warnings)
     : verbose_(verbose), warnings_(warnings), terminal_(is_terminal()) {}
+
+void Console::keep(MessageStream stream, std::string_view text) {
+    if (files_) files_->write(stream, text);
+}
+
+void Console::message(std::string_view text, bool shown) {
+    keep(MessageStream::debug, text);
+    if (text.ends_with('\n')) text.remove_suffix(1);
+    if (shown) line(text);
+}
 
 void Console::banner(std::string_view phase) {
     started_ = last_ = std::chrono::steady_clock::now();
@@ -60,13 +56,13 @@ void Console::line(std::string_view text) {
 }
 
 void Console::diagnostic(const Diagnostic& diagnostic, const SourceMap& sources) {
+    if (files_) files_->write(diagnostic, sources);
     if (!warnings_ && diagnostic.severity != Severity::error) return;
     end_progress();
     write(format(diagnostic, sources));
     if (terminal_ || diagnostic.severity == Severity::note) return;
-    std::string_view kind = "Parse Warning";
-    if (diagnostic.severity == Severity::possible_error) kind = "Possible Parse Error";
-    if (diagnostic.severity == Severity::error) kind = "Parse Error";
+    // Problem matchers of editors rely on how these lines are broken.
+    const std::string_view kind = kind_of(diagnostic);
     if (diagnostic.where.known()) {
         const LineColumn place = sources.position(diagnostic.where.file, diagnostic.where.begin);
         line(wrapped(fmt::format("File '{}' line {}: {}: {}", sources.name(diagnostic.where.file), place.line,

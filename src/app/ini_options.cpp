@@ -135,6 +135,15 @@ Setter action_of(ShellMoment moment) {
         s.commands[static_cast<size_t>(moment)].action = v;
     };
 }
+/// A name, or `on` for the reference's own.
+Setter message_file_of(MessageStream stream, std::string_view usual) {
+    return [=](Settings& s, std::string_view, std::string_view v) {
+        const std::string word = lower(v);
+        const bool off = word == "off" || word == "false" || word == "no" || word == "0";
+        const bool on = word == "on" || word == "true" || word == "yes" || word == "1";
+        s.message_files[static_cast<size_t>(stream)] = off ? "" : on ? usual : v;
+    };
+}
 /// Something that would change the result and does not work yet.
 Setter not_yet(std::string_view what) {
     return [what](Settings& s, std::string_view n, std::string_view v) {
@@ -252,12 +261,26 @@ std::vector<Option> make_options() {
         {"post_scene_return", action_of(ShellMoment::post_scene)},
         {"user_abort_return", action_of(ShellMoment::user_abort)},
         {"fatal_error_return", action_of(ShellMoment::fatal_error)},
-        {"all_file", not_yet("messages are not written to files")},
-        {"debug_file", not_yet("messages are not written to files")},
-        {"fatal_file", not_yet("messages are not written to files")},
-        {"render_file", not_yet("messages are not written to files")},
-        {"statistic_file", not_yet("messages are not written to files")},
-        {"warning_file", not_yet("messages are not written to files")},
+        {"all_file", message_file_of(MessageStream::all, "alltext.out")},
+        {"debug_file", message_file_of(MessageStream::debug, "debug.out")},
+        {"fatal_file", message_file_of(MessageStream::fatal, "fatal.out")},
+        {"render_file", message_file_of(MessageStream::render, "render.out")},
+        {"statistic_file", message_file_of(MessageStream::statistics, "stats.out")},
+        {"warning_file", message_file_of(MessageStream::warning, "warning.out")},
+        {"append_file", switch_of(&Settings::append_files)},
+        {"create_histogram", not_yet("histograms are not made")},
+        {"real_time_raytracing", not_yet("only whole pictures are rendered, one after the other")},
+        {"fatal_console",
+         [](Settings& s, std::string_view n, std::string_view v) {
+             if (!to_switch(n, v))
+                 s.without_effect.push_back(fmt::format("{}={}: errors are always shown", n, v));
+         }},
+        {"remove_bounds",
+         [](Settings& s, std::string_view n, std::string_view v) {
+             if (to_switch(n, v)) return;
+             s.without_effect.push_back(
+                 fmt::format("{}={}: bounds that the picture does not need are always left out", n, v));
+         }},
     };
 }
 
@@ -281,17 +304,12 @@ constexpr std::string_view silent_options[] = {"display",
                                                "light_buffer",
                                                "vista_buffer",
                                                "draw_vistas",
-                                               "remove_bounds",
                                                "split_unions",
                                                "high_reproducibility",
                                                "radiosity_file_name",
                                                "radiosity_vain_pretrace",
-                                               "real_time_raytracing",
-                                               "fatal_console",
-                                               "append_file",
                                                "test_abort",
                                                "buffer_output",
-                                               "create_histogram",
                                                "histogram_type",
                                                "histogram_name",
                                                "histogram_grid_size"};

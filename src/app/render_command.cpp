@@ -3,6 +3,7 @@
 #include "app/console.h"
 #include "app/create_ini.h"
 #include "app/geometry_oracle.h"
+#include "app/message_files.h"
 #include "app/picture.h"
 #include "app/picture_state.h"
 #include "app/scene_input.h"
@@ -110,9 +111,9 @@ std::string picture_path(const Settings& settings, const AnimationFrame& frame) 
     return output_path(settings, number);
 }
 
-void write_picture(const RenderResult& result, const Scene& scene, const Settings& settings,
+void write_picture(const RenderResult& result, const GlobalSettings& scene, const Settings& settings,
                    const AnimationFrame& frame) {
-    const auto& assumed = scene.settings.assumed_gamma;
+    const auto& assumed = scene.assumed_gamma;
     OutputFormat format;
     format.type = settings.file_type;
     format.bits = output_bits(settings);
@@ -144,56 +145,87 @@ void prepare(PictureState& state, uint64_t identity, const Settings& settings, C
     }
 }
 
-/// Reads, compiles, renders and writes one picture.
-int render_frame(const Settings& settings, const AnimationFrame& frame, Console& console) {
-    const RenderOptions options = render_options(settings);
-    const std::string path = picture_path(settings, frame);
-    const bool keeps_state = settings.output_to_file && path != "-";
-    PictureState state(path);
-    if (keeps_state && settings.continue_trace && !state.exists() && std::filesystem::exists(path)) {
-        console.line("File already rendered and continue requested; skipping.");
-        return exit_done;
-    }
-    Statistics statistics;
-    const double cpu_before = cpu_seconds();
-    auto start = std::chrono::steady_clock::now();
-    console.banner("Parsing");
+/// For Render_File.
+std::string options_text(const Settings& settings) {
+    return fmt::format(
+        "Input file: {}\nImage resolution: {} by {}\nQuality: {}\nAntialiasing: {}\nThreads: {}\n",
+        settings.input_file, settings.width, settings.height, settings.quality,
+        settings.antialias ? fmt::format("method {}", settings.antialias_options.method) : "off",
+        settings.threads > 0 ? fmt::to_string(settings.threads) : "all");
+}
+
+/// What reading one scene gives.
+struct ReadScene {
     SourceMap sources;
     Diagnostics diagnostics;
-    ProbeOracle oracle(diagnostics);
     Scene scene;
-    if (!load(load_options(settings, frame, console, oracle), console, sources, diagnostics, scene)) {
-        return exit_error;
-    }
-    statistics.parse_seconds = seconds_since(start);
-    statistics.parse_cpu_seconds = cpu_seconds() - cpu_before;
-    statistics.parse_peak_memory = peak_memory();
+};
 
-    start = std::chrono::steady_clock::now();
-    const size_t reported = diagnostics.all().size();
-    const World world = compile(scene, compile_options(settings), diagnostics);
-    console.report(diagnostics, sources, reported);
+bool keeps_state(const Settings& settings, const std::string& path) {
+    return settings.output_to_file && path != "-";
+}
+
+/// Compiles, renders and writes one picture. Throws a SceneError where a function of the scene fails.
+int draw_frame(const Settings& settings, const AnimationFrame& frame, ReadScene& read, PictureState& state,
+               Statistics& statistics, Console& console) {
+    const bool keeps = keeps_state(settings, picture_path(settings, frame));
+    const RenderOptions options = render_options(settings);
+    auto start = std::chrono::steady_clock::now();
+    const size_t reported = read.diagnostics.all().size();
+    const World world = compile(std::move(read.scene), compile_options(settings), read.diagnostics);
+    console.report(read.diagnostics, read.sources, reported);
     statistics.compile_seconds = seconds_since(start);
 
-    if (keeps_state) prepare(state, identity_of(sources, identity_words(settings, frame)), settings, console);
+    if (keeps) prepare(state, identity_of(read.sources, identity_words(settings, frame)), settings, console);
 
     start = std::chrono::steady_clock::now();
     console.banner("Rendering");
     is_rendering.store(true);
     const auto progress = [&](size_t done, size_t total) { console.progress(done, total); };
-    const RenderResult result =
-        render(world, options, stop_requested, progress, keeps_state ? &state : nullptr);
+    const RenderResult result = render(world, options, stop_requested, progress, keeps ? &state : nullptr);
     console.end_progress();
     statistics.render_seconds = seconds_since(start);
 
     start = std::chrono::steady_clock::now();
-    if (keeps_state && !result.complete) state.keep(result.film);
-    if (settings.output_to_file) write_picture(result, scene, settings, frame);
-    if (keeps_state && result.complete) state.remove();
+    if (keeps && !result.complete) state.keep(result.film);
+    if (settings.output_to_file) write_picture(result, world.settings, settings, frame);
+    if (keeps && result.complete) state.remove();
     is_rendering.store(false);
     statistics.write_seconds = seconds_since(start);
+    console.keep(MessageStream::statistics, statistics_text(statistics, world, result));
     if (settings.stats_file) write_statistics(statistics, world, result, settings);
     return result.complete ? exit_done : exit_stopped;
+}
+
+/// Reads a scene and makes its picture; an exit code.
+int render_frame(const Settings& settings, const AnimationFrame& frame, Console& console) {
+    const std::string path = picture_path(settings, frame);
+    PictureState state(path);
+    if (keeps_state(settings, path) && settings.continue_trace && !state.exists() &&
+        std::filesystem::exists(path)) {
+        console.line("File already rendered and continue requested; skipping.");
+        return exit_done;
+    }
+    Statistics statistics;
+    const double cpu_before = cpu_seconds();
+    const auto start = std::chrono::steady_clock::now();
+    console.banner("Parsing");
+    ReadScene read;
+    ProbeOracle oracle(read.diagnostics);
+    if (!load(load_options(settings, frame, console, oracle), console, read.sources, read.diagnostics,
+              read.scene)) {
+        return exit_error;
+    }
+    statistics.parse_seconds = seconds_since(start);
+    statistics.parse_cpu_seconds = cpu_seconds() - cpu_before;
+    statistics.parse_peak_memory = peak_memory();
+    try {
+        return draw_frame(settings, frame, read, state, statistics, console);
+    } catch (const SceneError& error) {
+        console.diagnostic(error.diagnostic(), read.sources);
+        is_rendering.store(false);
+        return exit_error;
+    }
 }
 
 int code_after(AfterCommand after) {
@@ -226,6 +258,9 @@ int run_render(const Settings& settings) {
     for (const std::string& text : settings.without_effect) console.line(fmt::format("warning: {}", text));
     const std::vector<AnimationFrame> frames = frames_of(settings);
     if (settings.dump != DumpStage::none) return dump_stage(settings, frames.front(), console);
+    MessageFiles files(settings);
+    console.write_to(files);
+    console.keep(MessageStream::render, options_text(settings));
     stop_requested.store(false);
     std::signal(SIGINT, on_signal);
     std::signal(SIGTERM, on_signal);

@@ -43,9 +43,7 @@ LoadOptions load_options(const Settings& settings, const AnimationFrame& frame, 
         const bool shown = stream == "render"       ? settings.render_console
                            : stream == "statistics" ? settings.statistic_console
                                                     : settings.debug_console;
-        if (!shown) return;
-        if (text.ends_with('\n')) text.remove_suffix(1);
-        console.line(text);
+        console.message(text, shown);
     };
     return options;
 }

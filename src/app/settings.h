@@ -30,6 +30,9 @@ struct ShellCommand {
 };
 enum class ShellMoment { pre_scene, pre_frame, post_frame, post_scene, user_abort, fatal_error };
 
+/// The streams of messages; `all` stands for the five others together.
+enum class MessageStream { all, debug, fatal, render, statistics, warning };
+
 enum class DumpStage { none, tokens, blocks, scene };
 
 /// One side of the rendered region as it was written: a pixel number (1-based) or a fraction (language
@@ -71,6 +74,8 @@ struct Settings {
     bool render_console = true;
     bool statistic_console = true;
     bool warning_console = true;
+    std::array<std::string, 6> message_files;  ///< by MessageStream: name without folder; empty: none
+    bool append_files = false;
     double clock = 0;
     bool clock_given = false;
     double initial_clock = 0;

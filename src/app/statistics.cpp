@@ -33,6 +33,17 @@ double cpu_seconds() {
 
 long peak_memory() { return usage().ru_maxrss; }
 
+std::string statistics_text(const Statistics& statistics, const World& world, const RenderResult& result) {
+    const RayCounters& rays = result.counters;
+    return fmt::format(
+        "Surfaces:     {:>12}\nLight Sources:{:>12}\nCamera Rays:  {:>12}\nReflected:    {:>12}\n"
+        "Refracted:    {:>12}\nShadow Rays:  {:>12}\nParse Time:   {:.3f} seconds\nBounding Time:{:.3f} "
+        "seconds\n"
+        "Trace Time:   {:.3f} seconds\n",
+        world.geometry->leaves().size(), world.lights.size(), rays.camera, rays.reflected, rays.refracted,
+        rays.shadow, statistics.parse_seconds, statistics.compile_seconds, statistics.render_seconds);
+}
+
 void write_statistics(const Statistics& statistics, const World& world, const RenderResult& result,
                       const Settings& settings) {
     const nlohmann::ordered_json json{{"scene", settings.input_file},

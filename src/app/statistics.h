@@ -17,6 +17,9 @@ struct Statistics {
 double cpu_seconds();
 long peak_memory();
 
+/// The same for people, for Statistic_File.
+std::string statistics_text(const Statistics& statistics, const World& world, const RenderResult& result);
+
 /// JSON with stable keys: phases, counts, rays, peak memory. To standard error or a file (`--stats`).
 void write_statistics(const Statistics& statistics, const World& world, const RenderResult& result,
                       const Settings& settings);

@@ -117,6 +117,8 @@ struct ReadContext {
     /// The path of a font file; throws if there is none.
     std::string (*find_font)(const ReadContext& context, const std::string& name,
                              SourceRange where) = nullptr;
+    /// A number in the words of an error message, if it was written as a name or vector; else empty.
+    std::string (*found_value)(const ReadContext& context, SourceRange where) = nullptr;
     bool unicode = false;  ///< the scene's charset is utf8 or sys
     /// Take a transformation, or a `texture`, `pigment`, `normal` or `finish` on top of `layers` (null: none
     /// yet), if one is next: for shapes whose parts have their own (blob).

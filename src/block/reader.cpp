@@ -190,7 +190,10 @@ std::string BlockReader::found() const {
     if (at_end()) return "}";
     switch (item().kind) {
         case Item::Kind::numbers:
-            if (!item().text.empty()) return item().text;
+            if (item().count == 1 && !item().bracketed && context_.found_value) {
+                if (std::string text = context_.found_value(context_, item().where); !text.empty())
+                    return text;
+            }
             return item().terms == 1 ? "float function 'float constant'" : "<";
         case Item::Kind::color:
             return "color expression";

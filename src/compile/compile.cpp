@@ -4,6 +4,10 @@
 namespace rb {
 
 World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
+    return compile(Scene(scene), options, diagnostics);
+}
+
+World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnostics) {
     World world;
     world.settings = scene.settings;
     world.effective_version = scene.effective_version;
@@ -12,7 +16,12 @@ World compile(const Scene& scene, const CompileOptions& options, Diagnostics& di
     world.fogs = scene.fogs;
     world.camera = scene.camera;
     Flattener flattener(world, scene.default_texture, diagnostics);
-    for (const ObjectPtr& object : scene.objects) flattener.add(object);
+    flattener.reserve(scene.objects);
+    for (ObjectPtr& object : scene.objects) {
+        flattener.add(object);
+        object = nullptr;
+    }
+    scene.objects = {};
     FlatGeometry flat = flattener.finish();
     // `automatic` is exact: every shape so far has a closed form that is faster than its facets.
     if (options.geometry == GeometryMode::tessellate) tessellate_leaves(flat, scene.camera, options);

@@ -24,6 +24,26 @@ bool splits(const Object& object) {
            object.clipped_by.empty() && object.bounded_by.empty();
 }
 
+/// How many records a scene's objects will need, clips and bounds left out.
+struct Counts {
+    size_t shapes = 0;
+    size_t compounds = 0;  ///< that stay whole
+    size_t tops = 0;
+};
+
+void count(const Object& object, bool is_top, Counts& counts) {
+    const auto* csg = as<Csg>(object);
+    const bool is_split = is_top && splits(object);
+    if (!csg && !as<ShapePtr>(object)) return;
+    if (is_top && !is_split) ++counts.tops;
+    if (!csg) {
+        ++counts.shapes;
+        return;
+    }
+    if (!is_split) ++counts.compounds;
+    for (const ObjectPtr& child : *csg->children) count(*child, is_split, counts);
+}
+
 SolidNode::Kind node_kind(CsgKind kind, bool invert) {
     switch (kind) {
         case CsgKind::union_:
@@ -100,8 +120,7 @@ struct Flattener::Inherited {
 struct Flattener::Draft {
     std::vector<InteriorSlot> slots;
     uint32_t shared_interior[2] = {no_surface, no_surface};  ///< of opaque things without interior; by hollow
-    std::vector<Leaf> leaves;                                ///< of the present top object, in child order
-    std::vector<std::vector<Leaf>> tops;
+    std::vector<uint32_t> top_ends;                          ///< behind the last leaf of each top object
     size_t top_objects = 0;
 };
 
@@ -113,6 +132,18 @@ Flattener::Flattener(World& world, TexturePtr default_texture, Diagnostics& diag
       draft_(std::make_unique<Draft>()) {}
 
 Flattener::~Flattener() = default;
+
+void Flattener::reserve(const std::vector<ObjectPtr>& objects) {
+    Counts counts;
+    for (const ObjectPtr& object : objects) count(*object, true, counts);
+    flat_.leaves.reserve(counts.shapes);
+    flat_.solids.shapes.reserve(counts.shapes);
+    flat_.solids.nodes.reserve(counts.shapes + counts.compounds);
+    flat_.solids.children.reserve(counts.shapes + counts.compounds - counts.tops);
+    flat_.tops.reserve(counts.tops);
+    draft_->top_ends.reserve(counts.tops);
+    draft_->slots.reserve(counts.tops);
+}
 
 void Flattener::add(const ObjectPtr& object) {
     Inherited from;
@@ -160,8 +191,7 @@ void Flattener::add_solid(const Object& object, const Inherited& from) {
     if (node == no_node) return;
     flat_.solids.set_regions(node);
     flat_.tops.push_back({node, slot, {}});
-    draft_->tops.push_back(std::move(draft_->leaves));
-    draft_->leaves.clear();
+    draft_->top_ends.push_back(static_cast<uint32_t>(flat_.leaves.size()));
 }
 
 Flattener::Inherited Flattener::inherit(const Object& object, const Inherited& from) {
@@ -240,40 +270,47 @@ uint32_t Flattener::build(const Object& object, const Inherited& from, bool inve
         const uint32_t child = build(*(*csg.children)[i], own, invert != subtracted, index);
         if (child != no_node) children.push_back(child);
     }
-    flat_.solids.nodes[index].children = std::move(children);
+    std::vector<uint32_t>& all = flat_.solids.children;
+    flat_.solids.nodes[index].first_child = static_cast<uint32_t>(all.size());
+    flat_.solids.nodes[index].child_count = static_cast<uint32_t>(children.size());
+    all.insert(all.end(), children.begin(), children.end());
     return index;
 }
 
 void Flattener::add_lists(const Object& object, const Inherited& from, uint32_t node) {
+    if (object.clipped_by.empty() && object.bounded_by.empty()) return;
     Inherited silent;
     silent.world_from_parent = from.world_from_parent;
     silent.surfaces = false;
-    std::vector<uint32_t> clips;
-    for (const ObjectPtr& clip : object.clipped_by) {
-        const uint32_t built = build(*clip, silent, false, no_node);
-        if (built != no_node) clips.push_back(built);
-    }
-    std::vector<uint32_t> bounds;
-    if (keep_all_bounds_ || !from.top || keeps_bounds(object)) {
-        for (const ObjectPtr& bound : object.bounded_by) {
-            const uint32_t built = build(*bound, silent, false, no_node);
-            if (built != no_node) bounds.push_back(built);
+    const auto build_all = [&](const std::vector<ObjectPtr>& list) {
+        std::vector<uint32_t> nodes;
+        for (const ObjectPtr& limit : list) {
+            const uint32_t built = build(*limit, silent, false, no_node);
+            if (built != no_node) nodes.push_back(built);
         }
-    }
+        return nodes;
+    };
+    SolidLists lists;
+    lists.clips = build_all(object.clipped_by);
+    if (keep_all_bounds_ || !from.top || keeps_bounds(object)) lists.bounds = build_all(object.bounded_by);
+    if (lists.clips.empty() && lists.bounds.empty()) return;
     SolidNode& target = flat_.solids.nodes[node];
-    if (!clips.empty() || !bounds.empty()) target.tests_hits = true;
-    target.clips = std::move(clips);
-    target.bounds = std::move(bounds);
+    target.tests_hits = true;
+    target.lists = static_cast<uint32_t>(flat_.solids.lists.size());
+    flat_.solids.lists.push_back(std::move(lists));
 }
 
 uint32_t Flattener::build_shape(const Object&, const ShapePtr& shape, const Inherited& own, bool invert,
                                 uint32_t parent) {
-    PlacedShape placed{shape, own.world_from_parent.backward, own.world_from_parent.is_identity()};
-    if (!placed.in_world_space) {
+    PlacedShape placed{shape, {}, true};
+    if (!own.world_from_parent.is_identity()) {
         if (auto moved = shape->transformed(own.world_from_parent)) {
-            placed = {std::move(moved), Affine{}, true};
+            placed.shape = std::move(moved);
+        } else {
+            placed = {shape, own.world_from_parent.backward, false};
         }
     }
+    placed.shape->prepare();
     SolidNode node;
     node.parent = parent;
     node.inverted = invert && !shape->is_patch();
@@ -325,7 +362,7 @@ void Flattener::add_leaf(const Object& object, const Inherited& own, uint32_t no
     if (!own.no_reflection) leaf.mask |= seen_by_reflection;
     if (!own.no_radiosity) leaf.mask |= seen_by_gather;
     if (!own.no_shadow) leaf.mask |= opaque ? blocks_light : filters_light;
-    draft_->leaves.push_back(std::move(leaf));
+    flat_.leaves.push_back(std::move(leaf));
 }
 
 Surface Flattener::surface_of(const Object& object, const Inherited& own) {
@@ -364,28 +401,42 @@ uint32_t Flattener::interior_index(const Inherited& own, bool opaque) {
     return slot.index;
 }
 
+/// Moves the leaves of the marked top objects before all others.
+void Flattener::put_first(const std::vector<bool>& marked) {
+    if (std::find(marked.begin(), marked.end(), true) == marked.end()) return;
+    FlatGeometry ordered;
+    ordered.leaves.reserve(flat_.leaves.size());
+    ordered.boxes.reserve(flat_.boxes.size());
+    for (const bool now : {true, false}) {
+        size_t k = 0;
+        for (size_t i = 0; i < marked.size(); ++i) {
+            for (; k < draft_->top_ends[i]; ++k) {
+                if (marked[i] != now) continue;
+                ordered.leaves.push_back(std::move(flat_.leaves[k]));
+                ordered.boxes.push_back(flat_.boxes[k]);
+            }
+        }
+    }
+    flat_.leaves = std::move(ordered.leaves);
+    flat_.boxes = std::move(ordered.boxes);
+}
+
 FlatGeometry Flattener::finish() {
     // A plane wins against a coincident finite object once there are at least three objects.
-    std::vector<size_t> order;
-    std::vector<std::vector<Bounds>> boxes(draft_->tops.size());
-    std::vector<bool> infinite(draft_->tops.size());
-    for (size_t i = 0; i < draft_->tops.size(); ++i) {
-        for (const Leaf& leaf : draft_->tops[i]) {
-            boxes[i].push_back(cut_box(flat_.solids, leaf));
-            flat_.tops[i].box.include(boxes[i].back());
-            if (!boxes[i].back().is_empty() && !boxes[i].back().is_finite()) infinite[i] = true;
-        }
-        order.push_back(i);
-    }
-    if (draft_->top_objects >= 3) {
-        std::stable_partition(order.begin(), order.end(), [&](size_t i) { return infinite[i]; });
-    }
-    for (const size_t i : order) {
-        for (size_t k = draft_->tops[i].size(); k-- > 0;) {
-            flat_.leaves.push_back(std::move(draft_->tops[i][k]));
-            flat_.boxes.push_back(boxes[i][k]);
+    std::vector<bool> infinite(draft_->top_ends.size());
+    flat_.boxes.reserve(flat_.leaves.size());
+    for (size_t i = 0; i < draft_->top_ends.size(); ++i) {
+        const auto first = static_cast<std::ptrdiff_t>(flat_.boxes.size());
+        const auto last = static_cast<std::ptrdiff_t>(draft_->top_ends[i]);
+        std::reverse(flat_.leaves.begin() + first, flat_.leaves.begin() + last);
+        for (auto leaf = flat_.leaves.begin() + first; leaf != flat_.leaves.begin() + last; ++leaf) {
+            const Bounds box = cut_box(flat_.solids, *leaf);
+            flat_.boxes.push_back(box);
+            flat_.tops[i].box.include(box);
+            if (!box.is_empty() && !box.is_finite()) infinite[i] = true;
         }
     }
+    if (draft_->top_objects >= 3) put_first(infinite);
     for (TopSolid& top : flat_.tops) {
         const InteriorSlot& slot = draft_->slots[top.interior];
         if (slot.index != no_surface) {

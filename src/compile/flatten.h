@@ -29,10 +29,12 @@ public:
 
     /// Declared objects asked by trace() keep their `bounded_by` (spec: geometry 6).
     void keep_all_bounds() { keep_all_bounds_ = true; }
+    /// Room for what add() will make of the objects.
+    void reserve(const std::vector<ObjectPtr>& objects);
     void add(const ObjectPtr& object);
     /// The same without splitting a union: one solid per object.
     void add_whole(const ObjectPtr& object);
-    FlatGeometry finish();
+    FlatGeometry finish();  ///< once, at the end
 
 private:
     struct Inherited;
@@ -48,6 +50,7 @@ private:
     void add_lists(const Object& object, const Inherited& from, uint32_t node);
     Inherited inherit(const Object& object, const Inherited& from);
     Surface surface_of(const Object& object, const Inherited& own);
+    void put_first(const std::vector<bool>& marked);
     uint32_t interior_index(const Inherited& own, bool opaque);
 
     World& world_;

@@ -17,7 +17,7 @@ ElementError error_of(const Leaf& leaf) {
     if (!world_from_object) return {1.0, size};
     const double out = stretch(*world_from_object);
     return {1.0 + out * stretch(leaf.object_from_world),
-            out * (size + largest_magnitude(leaf.object_from_world.row[3]))};
+            out * (size + largest_magnitude(leaf.object_from_world->row[3]))};
 }
 
 /// What fits the tree: finite, also in single precision.

@@ -2,7 +2,9 @@
 
 namespace rb {
 
-bool SolidForest::in_all(const std::vector<uint32_t>& list, const Vec3& p) const {
+const SolidLists SolidForest::no_lists;
+
+bool SolidForest::in_all(std::span<const uint32_t> list, const Vec3& p) const {
     for (const uint32_t node : list) {
         if (!inside(node, p)) return false;
     }
@@ -11,7 +13,7 @@ bool SolidForest::in_all(const std::vector<uint32_t>& list, const Vec3& p) const
 
 bool SolidForest::inside(uint32_t index, const Vec3& p) const {
     const SolidNode& node = nodes[index];
-    return node.region.contains(p) && inside_unclipped(index, p) && in_all(node.clips, p);
+    return node.region.contains(p) && inside_unclipped(index, p) && in_all(lists_of(node).clips, p);
 }
 
 bool SolidForest::inside_unclipped(uint32_t index, const Vec3& p) const {
@@ -27,12 +29,12 @@ bool SolidForest::inside_unclipped(uint32_t index, const Vec3& p) const {
         }
         case SolidNode::Kind::union_:
         case SolidNode::Kind::merge:
-            for (const uint32_t child : node.children) {
+            for (const uint32_t child : children_of(node)) {
                 if (inside(child, p)) return true;
             }
             return false;
         case SolidNode::Kind::intersection:
-            return in_all(node.children, p);
+            return in_all(children_of(node), p);
     }
     return false;
 }
@@ -43,12 +45,12 @@ bool SolidForest::counts(uint32_t leaf, const Vec3& p, const Ray& ray) const {
         if (!node.tests_hits) return true;
         if (node.kind == SolidNode::Kind::merge || node.kind == SolidNode::Kind::intersection) {
             const bool wanted = node.kind == SolidNode::Kind::intersection;
-            for (const uint32_t child : node.children) {
+            for (const uint32_t child : children_of(node)) {
                 if (child != from && inside(child, p) != wanted) return false;
             }
         }
-        if (!in_all(node.clips, p)) return false;
-        for (const uint32_t bound : node.bounds) {
+        if (!in_all(lists_of(node).clips, p)) return false;
+        for (const uint32_t bound : lists_of(node).bounds) {
             if (!met_by(bound, p, ray)) return false;
         }
     }
@@ -62,7 +64,7 @@ bool SolidForest::met_by(uint32_t node, const Vec3& p, const Ray& ray) const {
 bool SolidForest::crosses(uint32_t index, const Ray& ray) const {
     const SolidNode& node = nodes[index];
     if (node.kind != SolidNode::Kind::shape) {
-        for (const uint32_t child : node.children) {
+        for (const uint32_t child : children_of(node)) {
             if (crosses(child, ray)) return true;
         }
         return false;
@@ -97,7 +99,7 @@ void SolidForest::set_regions(uint32_t index) {
         }
     } else {
         if (node.kind == SolidNode::Kind::intersection) region = Bounds::everything();
-        for (const uint32_t child : node.children) {
+        for (const uint32_t child : children_of(node)) {
             set_regions(child);
             if (node.kind == SolidNode::Kind::intersection) {
                 region = intersection(region, nodes[child].region);
@@ -106,11 +108,11 @@ void SolidForest::set_regions(uint32_t index) {
             }
         }
     }
-    for (const uint32_t clip : node.clips) {
+    for (const uint32_t clip : lists_of(node).clips) {
         set_regions(clip);
         region = intersection(region, nodes[clip].region);
     }
-    for (const uint32_t bound : node.bounds) set_regions(bound);
+    for (const uint32_t bound : lists_of(node).bounds) set_regions(bound);
     node.region = region;
 }
 
@@ -119,11 +121,11 @@ Bounds SolidForest::cut(uint32_t leaf, Bounds box) const {
         const SolidNode& node = nodes[at];
         if (!node.tests_hits) break;
         if (node.kind == SolidNode::Kind::intersection) {
-            for (const uint32_t child : node.children) {
+            for (const uint32_t child : children_of(node)) {
                 if (child != from) box = intersection(box, nodes[child].region);
             }
         }
-        for (const uint32_t clip : node.clips) box = intersection(box, nodes[clip].region);
+        for (const uint32_t clip : lists_of(node).clips) box = intersection(box, nodes[clip].region);
     }
     return box;
 }

@@ -2,6 +2,7 @@
 #include "scene/object.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rb {
@@ -16,17 +17,23 @@ struct SolidNode {
     bool inverted = false;    ///< shapes only
     bool tests_hits = false;  ///< this node or one above it refuses some hits
     uint32_t parent = no_node;
-    uint32_t placed = 0;  ///< shapes only: index into SolidForest::shapes
-    std::vector<uint32_t> children;
+    uint32_t placed = 0;       ///< shapes only: index into SolidForest::shapes
+    uint32_t lists = no_node;  ///< index into SolidForest::lists, for the few that have any
+    uint32_t first_child = 0;  ///< index into SolidForest::children
+    uint32_t child_count = 0;
+    Bounds region;  ///< holds every point inside
+};
+
+/// Nodes that further limit a node.
+struct SolidLists {
     std::vector<uint32_t> clips;   ///< all must contain the point
     std::vector<uint32_t> bounds;  ///< all must be met by the ray (kept `bounded_by` only)
-    Bounds region;                 ///< holds every point inside
 };
 
 /// A shape and where it stands.
 struct PlacedShape {
     ShapePtr shape;
-    Affine object_from_world;
+    SharedAffine object_from_world;
     bool in_world_space = false;
 };
 
@@ -35,6 +42,8 @@ class SolidForest {
 public:
     std::vector<SolidNode> nodes;
     std::vector<PlacedShape> shapes;
+    std::vector<uint32_t> children;  ///< of all compounds, one after the other
+    std::vector<SolidLists> lists;
 
     /// INSIDE* of the spec: inside the node's clips and its shape or compound.
     bool inside(uint32_t node, const Vec3& p) const;
@@ -49,9 +58,17 @@ public:
     Bounds cut(uint32_t leaf, Bounds box) const;
 
 private:
-    bool in_all(const std::vector<uint32_t>& list, const Vec3& p) const;
+    std::span<const uint32_t> children_of(const SolidNode& node) const {
+        return {children.data() + node.first_child, node.child_count};
+    }
+    const SolidLists& lists_of(const SolidNode& node) const {
+        return node.lists == no_node ? no_lists : lists[node.lists];
+    }
+    bool in_all(std::span<const uint32_t> list, const Vec3& p) const;
     bool met_by(uint32_t node, const Vec3& p, const Ray& ray) const;
     bool crosses(uint32_t node, const Ray& ray) const;
+
+    static const SolidLists no_lists;
 };
 
 }  // namespace rb

@@ -57,36 +57,32 @@ bool equal(const Surface& a, const Surface& b) {
 
 }  // namespace
 
-bool SurfaceTable::opaque(const TexturePtr& texture) {
-    const auto [at, is_new] = opaque_.try_emplace(texture.get(), false);
-    if (!is_new) return at->second;
+const SurfaceTable::Facts& SurfaceTable::facts(const TexturePtr& texture) {
+    const auto [at, is_new] = facts_.try_emplace(texture.get());
+    Facts& facts = at->second;
+    if (!is_new) return facts;
+    facts.texture = texture;
     for (const Texture& layer : *texture) {
-        if (!layer.is_patterned() && opaque_pigment(*layer.pigment)) at->second = true;
+        if (!layer.is_patterned() && opaque_pigment(*layer.pigment)) facts.opaque = true;
+        const bool plain = !layer.is_patterned() && !layer.normal &&
+                           !std::holds_alternative<PatternPtr>(layer.pigment->source) &&
+                           !layer.pigment->average && layer.finish->irid_amount == 0.0f &&
+                           layer.finish->crand == 0.0f;
+        if (!plain) facts.same_everywhere = false;
     }
-    return at->second;
+    return facts;
 }
+
+bool SurfaceTable::opaque(const TexturePtr& texture) { return facts(texture).opaque; }
 
 bool SurfaceTable::opaque(const Surface& surface) {
     return opaque(surface.texture.layers) &&
            (!surface.interior_texture || opaque(surface.interior_texture->layers));
 }
 
-bool SurfaceTable::same_everywhere(const TexturePtr& texture) {
-    const auto [at, is_new] = same_everywhere_.try_emplace(texture.get(), true);
-    if (!is_new) return at->second;
-    for (const Texture& layer : *texture) {
-        const bool plain = !layer.is_patterned() && !layer.normal &&
-                           !std::holds_alternative<PatternPtr>(layer.pigment->source) &&
-                           !layer.pigment->average && layer.finish->irid_amount == 0.0f &&
-                           layer.finish->crand == 0.0f;
-        if (!plain) at->second = false;
-    }
-    return at->second;
-}
-
 uint32_t SurfaceTable::add(Surface surface) {
-    if (same_everywhere(surface.texture.layers)) surface.texture.world_from_texture = {};
-    if (surface.interior_texture && same_everywhere(surface.interior_texture->layers)) {
+    if (facts(surface.texture.layers).same_everywhere) surface.texture.world_from_texture = {};
+    if (surface.interior_texture && facts(surface.interior_texture->layers).same_everywhere) {
         surface.interior_texture->world_from_texture = {};
     }
     const size_t hash = hash_of(surface);

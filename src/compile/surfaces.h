@@ -20,12 +20,16 @@ public:
     bool opaque(const Surface& surface);
 
 private:
-    bool same_everywhere(const TexturePtr& texture);
+    struct Facts {
+        TexturePtr texture;  ///< stays, so that its address cannot become another one's
+        bool opaque = false;
+        bool same_everywhere = true;
+    };
+    const Facts& facts(const TexturePtr& texture);
 
     std::vector<Surface>& surfaces_;
     std::unordered_multimap<size_t, uint32_t> by_hash_;
-    std::unordered_map<const TextureLayers*, bool> opaque_;
-    std::unordered_map<const TextureLayers*, bool> same_everywhere_;
+    std::unordered_map<const TextureLayers*, Facts> facts_;
 };
 
 }  // namespace rb

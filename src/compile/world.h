@@ -34,12 +34,12 @@ constexpr uint32_t no_surface = std::numeric_limits<uint32_t>::max();
 /// One closed or open surface in the world: a shape, where it stands, and what it wears.
 struct Leaf {
     ShapePtr shape;
-    Affine object_from_world;     ///< identity when `in_world_space`
-    bool in_world_space = false;  ///< the shape took its transform into its own numbers
-    bool inverted = false;        ///< normals and inside are turned (`inverse`, subtracted)
-    uint8_t mask = 0;             ///< SurfaceMask bits
-    uint32_t surface = 0;         ///< index into World::surfaces
-    uint32_t solid = 0;           ///< node of the solid tree that decides which crossings count
+    SharedAffine object_from_world;  ///< identity when `in_world_space`
+    bool in_world_space = false;     ///< the shape took its transform into its own numbers
+    bool inverted = false;           ///< normals and inside are turned (`inverse`, subtracted)
+    uint8_t mask = 0;                ///< SurfaceMask bits
+    uint32_t surface = 0;            ///< index into World::surfaces
+    uint32_t solid = 0;              ///< node of the solid tree that decides which crossings count
     /// First of the surfaces of the shape's own textures in World::surfaces (in the order of
     /// Shape::textures()), or no_surface. See Geometry::surfaces_at().
     uint32_t first_texture_surface = no_surface;
@@ -110,5 +110,7 @@ struct CompileOptions {
 /// Scene to World: flattens CSG, hands down textures and interiors, bakes transforms, builds the trees.
 /// Shapes that are not supported yet are reported and left out.
 World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics);
+/// The same, and each object is let go as soon as it is in the world: less memory.
+World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnostics);
 
 }  // namespace rb

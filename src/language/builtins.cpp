@@ -341,8 +341,8 @@ void check_argument_count(const Function& function, size_t count, SourceRange wh
     if (count > wanted) throw SceneError(where, "Expected ')', numeric expression found instead");
 }
 
-Value call_value(Session& session, const Operand& callee, std::span<const Operand> arguments,
-                 Keyword spline_type, SourceRange where) {
+Value call_value(const Operand& callee, std::span<const Operand> arguments, Keyword spline_type,
+                 SourceRange where) {
     if (const auto* spline = std::get_if<SplinePtr>(&callee.value)) {
         want(arguments, 1, 1, where);
         SplineKind kind = (*spline)->kind;
@@ -365,7 +365,12 @@ Value call_value(Session& session, const Operand& callee, std::span<const Operan
     try {
         function->evaluate(values, {out.v.data(), static_cast<size_t>(out.count)});
     } catch (const SceneError& error) {
-        session.fail(where, error.diagnostic().message);
+        Diagnostic diagnostic = error.diagnostic();
+        if (diagnostic.where.known()) {
+            diagnostic.notes.push_back({Severity::note, diagnostic.where, "in the function, here", {}});
+        }
+        diagnostic.where = where;
+        throw SceneError(std::move(diagnostic));
     }
     return out;
 }

@@ -18,8 +18,8 @@ Terms constant_value(const Session& session, Keyword word);
 Value call_builtin(Session& session, Keyword word, std::span<const Operand> arguments, SourceRange where);
 
 /// A call of a user function or spline.
-Value call_value(Session& session, const Operand& callee, std::span<const Operand> arguments,
-                 Keyword spline_type, SourceRange where);
+Value call_value(const Operand& callee, std::span<const Operand> arguments, Keyword spline_type,
+                 SourceRange where);
 void check_argument_count(const Function& function, size_t count, SourceRange where);
 
 /// String functions; part of call_builtin.

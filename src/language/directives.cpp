@@ -351,12 +351,17 @@ void TokenStream::do_case(bool is_range, uint32_t hash, SourceRange where) {
 void TokenStream::read_macro_head(Macro& macro) {
     raw_expect(Tok::lparen, "(");
     while (raw_peek().kind != Tok::rparen) {
-        const Token token = raw_next();
+        Token token = raw_next();
+        // `optional` is no reserved word: alone it is the name of a parameter.
+        const bool optional = token.kind == Tok::word && raw_peek().kind == Tok::word &&
+                              session_.words.spelling(token.aux) == "optional";
+        if (optional) token = raw_next();
         const bool slot_word = token.kind == Tok::word;
         if (!slot_word || (Words::is_keyword(token.aux) && Words::kind(token.aux) != Tok::keyword)) {
             session_.fail(range(token), fmt::format("Expected 'identifier', {} found instead", found(token)));
         }
         macro.parameters.push_back(token.aux);
+        macro.optional.push_back(optional);
         if (macro.parameters.size() > 55) session_.fail(range(token), "Too many parameters");
         if (raw_peek().kind == Tok::comma) raw_next();
     }

@@ -185,6 +185,7 @@ void FunctionBuilder::close_loop() {
     const Call outer = open().calls.back();
     open().calls.pop_back();
     node.level = outer.word.word == word_of(Keyword::sum) ? '+' : '*';
+    node.where = outer.word.where;
     for (size_t i = call.base; i < open().nodes.size(); ++i) node.parts.push_back(std::move(open().nodes[i]));
     open().nodes.resize(call.base);
     open().nodes.push_back(std::move(node));

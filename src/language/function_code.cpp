@@ -1,5 +1,6 @@
 #include "language/function_code.h"
 
+#include "base/diagnostics.h"
 #include "grammar/token.h"
 #include "language/float_functions.h"
 
@@ -107,6 +108,7 @@ private:
         add(node.parts[1]);
         FunctionCode body;
         Compiler(body).add(node.parts[2]);
+        body.where = node.where;
         out_.bodies.push_back(std::move(body));
         const bool is_sum = node.level == '+';
         emit({is_sum ? Op::sum : Op::product, 255, static_cast<uint16_t>(out_.bodies.size() - 1), node.index,
@@ -138,11 +140,41 @@ double call_many(Keyword f, const double* a, size_t count) {
     return best;
 }
 
+namespace {
+
+/// Counts the steps of a loop and of those inside it, so that a slip in its ends is an error and not a
+/// program that never ends.
+class LoopSteps {
+public:
+    LoopSteps() {
+        if (depth++ == 0) left = most;
+    }
+    LoopSteps(const LoopSteps&) = delete;
+    LoopSteps& operator=(const LoopSteps&) = delete;
+    ~LoopSteps() { --depth; }
+
+    void take(SourceRange where) const {
+        if (left-- == 0) throw SceneError(where, "This sum or prod takes more than 100 million steps.");
+    }
+
+private:
+    static constexpr uint64_t most = 100'000'000;
+    static thread_local int depth;
+    static thread_local uint64_t left;
+};
+
+thread_local int LoopSteps::depth = 0;
+thread_local uint64_t LoopSteps::left = 0;
+
+}  // namespace
+
 double run_loop(const FunctionCode& body, bool is_sum, uint32_t variable, double* variables, double from,
                 double to) {
     std::vector<double> stack(body.stack + 1);
+    const LoopSteps steps;
     double total = is_sum ? 0 : 1;
     for (double i = from; i <= to; i += 1) {
+        steps.take(body.where);
         variables[variable] = i;
         double value = 0;
         body.run(variables, stack.data(), value);

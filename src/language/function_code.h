@@ -1,4 +1,5 @@
 #pragma once
+#include "base/source.h"
 #include "grammar/token.h"
 #include "scene/function.h"
 
@@ -18,6 +19,7 @@ struct FunctionNode {
     std::vector<char> operators;  ///< chain: + - * / < l = ! g > & |
     std::vector<FunctionNode> parts;
     FunctionPtr function;
+    SourceRange where;  ///< loop
 };
 
 /// Carries out what the language's compiler does with constants, its defect included (spec: language 14.3).
@@ -63,6 +65,7 @@ struct FunctionCode {
     std::vector<FunctionPtr> functions;
     uint32_t variables = 0;  ///< parameters and loop variables
     uint32_t stack = 0;      ///< deepest
+    SourceRange where;       ///< of the sum or prod whose body this is
 
     void run(double* variable, double* stack_base, double& result) const;
 
@@ -77,7 +80,8 @@ struct FunctionCode {
 
 /// min, max or select of `count` values.
 double call_many(Keyword f, const double* a, size_t count);
-/// sum or prod: the body for variable number `variable` = from, from + 1, ... while it is <= to.
+/// sum or prod: the body for variable number `variable` = from, from + 1, ... while it is <= to. Throws a
+/// SceneError where that takes more than 100 million steps, those of sums within a sum counted together.
 double run_loop(const FunctionCode& body, bool is_sum, uint32_t variable, double* variables, double from,
                 double to);
 /// Result `component` of a call: 255 the only one, 254 its grey value.

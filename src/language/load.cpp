@@ -123,8 +123,13 @@ void read_obsolete(Session& session, Parser& parser, const Produced& token) {
 using BlockSink = std::function<void(const Block&)>;
 
 /// One statement; false at the end of the scene.
-bool read_one(Session& session, const BlockSink& sink) {
-    Parser parser(session);
+bool read_one(Session& session, Parser& parser, const BlockSink& sink) {
+    parser.lock(false);
+    if (std::shared_ptr<const Block> block = parser.plain_statement()) {
+        sink(*block);
+        parser.recycle(std::move(block));
+        return true;
+    }
     const Produced token = parser.peek();
     if (token.kind == Tok::end) return false;
     // Without `#` at scene level.
@@ -157,7 +162,9 @@ bool read_one(Session& session, const BlockSink& sink) {
         fail_statement(session, token);
     }
     parser.take();
-    sink(*parser.block(token));
+    std::shared_ptr<const Block> block = parser.block(token);
+    sink(*block);
+    parser.recycle(std::move(block));
     return true;
 }
 
@@ -175,9 +182,12 @@ void report(Session& session, const SceneError& error) {
 void read_all(Session& session, const BlockSink& sink) {
     int failures = 0;
     while (true) {
-        session.stream.mark();
         try {
-            if (!read_one(session, sink)) return;
+            Parser parser(session);
+            do {
+                session.stream.mark();
+            } while (read_one(session, parser, sink));
+            return;
         } catch (const SceneError& error) {
             report(session, error);
             if (++failures >= 100 || session.diagnostics.error_count() >= most_errors) {

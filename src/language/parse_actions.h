@@ -11,7 +11,8 @@ namespace rb {
 template <class Rule>
 struct action : tao::pegtl::nothing<Rule> {};
 
-/// Actions that need the first token, the last token, or nothing.
+/// Actions that need the first token, the last token, or nothing. The first one is known only of rules of a
+/// few tokens (TokenInput keeps no more).
 template <auto member>
 struct on_first {
     template <class In>
@@ -67,9 +68,11 @@ struct action<grammar::text_literal> : on_first<&ParseState::push_text> {};
 template <>
 struct action<grammar::component_name> : on_first<&ParseState::take_component> {};
 template <>
-struct action<grammar::subscript> : on_first_place<&ParseState::take_subscript> {};
+struct action<grammar::subscript_close> : on_first_place<&ParseState::take_subscript> {};
 template <>
-struct action<grammar::group> : on_first_place<&ParseState::close_group> {};
+struct action<grammar::group_open> : on_first_place<&ParseState::open_place> {};
+template <>
+struct action<grammar::group_close> : on_first_place<&ParseState::close_group> {};
 template <>
 struct action<grammar::vector_begin> {
     template <class In>
@@ -109,9 +112,15 @@ struct action<grammar::defined_test> {
     }
 };
 template <>
-struct action<grammar::negation> : on_first_place<&ParseState::negate> {};
+struct action<grammar::negation_sign> : on_first_place<&ParseState::open_place> {};
 template <>
-struct action<grammar::inversion> : on_first_place<&ParseState::invert> {};
+struct action<grammar::negation> : on_match<&ParseState::negate> {};
+template <>
+struct action<grammar::plus_sign> : on_match<&ParseState::close_plus> {};
+template <>
+struct action<grammar::inversion_sign> : on_first_place<&ParseState::open_place> {};
+template <>
+struct action<grammar::inversion> : on_match<&ParseState::invert> {};
 template <>
 struct action<grammar::multiplied> : on_operator<Operator::multiply> {};
 template <>
@@ -226,13 +235,13 @@ struct action<grammar::layer_block> : on_match<&ParseState::merge_layer> {};
 template <>
 struct action<grammar::transform_value> : on_match<&ParseState::push_transform_value> {};
 template <>
-struct action<grammar::array_word> : on_match<&ParseState::open_array> {};
+struct action<grammar::array_word> : on_first_place<&ParseState::open_array> {};
 template <>
 struct action<grammar::array_size> : on_match<&ParseState::size_array> {};
 template <>
-struct action<grammar::array_sizes> : on_first_place<&ParseState::check_array> {};
+struct action<grammar::array_sizes> : on_match<&ParseState::check_array> {};
 template <>
-struct action<grammar::array> : on_first_place<&ParseState::push_array> {};
+struct action<grammar::array> : on_match<&ParseState::push_array> {};
 template <>
 struct action<grammar::rows_open> : on_match<&ParseState::open_rows> {};
 template <>
@@ -304,8 +313,6 @@ struct action<grammar::f_name_token> {
         state.open_function_name(in.first());
     }
 };
-template <>
-struct action<grammar::f_subscript> : on_first_place<&ParseState::take_subscript> {};
 template <>
 struct action<grammar::f_value_open> : on_match<&ParseState::open_function_value> {};
 template <>

@@ -87,10 +87,33 @@ WrittenColor ParseState::take_color(SourceRange& where) {
 
 void ParseState::open_block(std::string_view keyword, SourceRange where) {
     OpenBlock opened;
-    opened.block = std::make_shared<Block>();
+    if (spare_.empty()) {
+        opened.block = std::make_shared<Block>();
+        opened.block->items.reserve(6);
+        opened.block->numbers.reserve(8);
+    } else {
+        opened.block = std::move(spare_.back());
+        spare_.pop_back();
+    }
     opened.block->keyword = keyword;
     opened.block->where = where;
     blocks_.push_back(std::move(opened));
+}
+
+void ParseState::recycle(std::shared_ptr<const Block> block) {
+    constexpr size_t most_spare = 8;
+    constexpr size_t most_items = 64;
+    if (block.use_count() != 1 || spare_.size() >= most_spare || block->items.size() > most_items ||
+        block->numbers.size() > 4 * most_items) {
+        return;
+    }
+    auto spare = std::const_pointer_cast<Block>(std::move(block));
+    for (Item& item : spare->items) {
+        if (item.block) recycle(std::move(item.block));
+    }
+    spare->items.clear();
+    spare->numbers.clear();
+    spare_.push_back(std::move(spare));
 }
 
 std::shared_ptr<const Block> ParseState::close_block(SourceRange where) {
@@ -112,6 +135,7 @@ void ParseState::close_inner_block(SourceRange where) {
         Item& item = new_item(Item::Kind::thing, block->where);
         item.text = block->keyword;
         item.thing = std::move(object);
+        recycle(std::move(block));
         return;
     }
     const SourceRange whole = block->where;
@@ -120,7 +144,6 @@ void ParseState::close_inner_block(SourceRange where) {
 
 Item& ParseState::new_item(Item::Kind kind, SourceRange where) {
     blocks_.back().same_shape = 0;
-    if (open().items.empty()) open().items.reserve(6);
     Item& item = open().items.emplace_back();
     item.kind = kind;
     item.where = where;
@@ -133,12 +156,11 @@ bool ParseState::colors_allowed() const {
     return blocks_.back().block->keyword != "image_map";
 }
 
-void ParseState::add_numbers(const Terms& terms, SourceRange where) {
+void ParseState::add_terms(const Terms& terms, SourceRange where) {
     Block& block = open();
     OpenBlock& top_block = blocks_.back();
     const auto append = [&] {
-        if (block.numbers.empty()) block.numbers.reserve(8);
-        for (size_t i = 0; i < static_cast<size_t>(terms.count); ++i) block.numbers.push_back(terms.v[i]);
+        block.numbers.insert(block.numbers.end(), terms.v.begin(), terms.v.begin() + terms.count);
     };
     if (!block.items.empty() && top_block.same_shape > 0) {
         Item& last = block.items.back();
@@ -160,13 +182,6 @@ void ParseState::add_numbers(const Terms& terms, SourceRange where) {
     item.terms = terms.count;
     append();
     blocks_.back().same_shape = same;
-}
-
-void ParseState::add_terms(const Terms& terms, SourceRange where) {
-    add_numbers(terms, where);
-    if (blocks_.back().same_shape > 0 && blocks_.back().same_shape < 8) {
-        open().items.back().text = found_value(session_, where);
-    }
 }
 
 void ParseState::add_value() {

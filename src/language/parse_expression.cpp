@@ -80,16 +80,16 @@ Operand ParseState::pop() {
     return operand;
 }
 
-void ParseState::negate(SourceRange sign) {
+void ParseState::negate() {
     const Terms terms = negated(numeric(top()));
-    const SourceRange where = cover(sign, top().where);
+    const SourceRange where = cover(take_place(), top().where);
     operands_.pop_back();
     push(terms, where);
 }
 
-void ParseState::invert(SourceRange sign) {
+void ParseState::invert() {
     const Terms terms = inverted(numeric(top()));
-    const SourceRange where = cover(sign, top().where);
+    const SourceRange where = cover(take_place(), top().where);
     operands_.pop_back();
     push(terms, where);
 }
@@ -155,7 +155,7 @@ void ParseState::take_component(const Produced& name) {
 
 void ParseState::close_group(SourceRange where) {
     top().place = {};
-    top().where = cover(top().where, where);
+    top().where = cover(take_place(), where);
 }
 
 void ParseState::close_vector(SourceRange where) {
@@ -222,7 +222,7 @@ void ParseState::close_value_call(SourceRange where) {
     const Operand callee = operands_[list.base - 1];
     const SourceRange whole = cover(callee.where, where);
     const std::span<const Operand> arguments(operands_.data() + list.base, operands_.size() - list.base);
-    Value result = call_value(session_, callee, arguments, list.spline_type, whole);
+    Value result = call_value(callee, arguments, list.spline_type, whole);
     operands_.resize(list.base - 1);
     push(std::move(result), whole);
 }

@@ -28,8 +28,12 @@ public:
     size_t operand_count() const { return operands_.size(); }
 
     // Operators.
-    void negate(SourceRange sign);
-    void invert(SourceRange sign);
+    /// Where a sign or bracket stands, for the action at the end of what it opens.
+    void open_place(SourceRange where) { places_.push_back(where); }
+    void negate();
+    /// `+A` is a value, not the variable.
+    void close_plus() { top().place = {}; }
+    void invert();
     void apply(Operator op);
     void choose();
     void take_component(const Produced& name);
@@ -74,19 +78,21 @@ public:
     void add_function();
     void add_stray(const Produced& token);
     std::shared_ptr<const Block> take_finished() { return std::move(finished_); }
+    /// Keeps the memory of a block that nobody else holds for the next ones.
+    void recycle(std::shared_ptr<const Block> block);
 
     // Right sides.
     void push_color_value();
     void push_block_value();
     void merge_layer();
     void push_transform_value();
-    void open_array();
+    void open_array(SourceRange where);
     void size_array();
-    void check_array(SourceRange where);
+    void check_array();
     void open_rows();
     void close_rows(SourceRange where);
     void add_row_item();
-    void push_array(SourceRange where);
+    void push_array();
     bool array_has_inner_rows() const;
     void push_spline(SourceRange where);
 
@@ -123,22 +129,29 @@ private:
         size_t depth = 0;
         size_t filled = 0;
         std::vector<size_t> counts;
-        SourceRange where;
+        SourceRange where;  ///< of the last size
+        SourceRange word;
     };
 
+    SourceRange take_place() {
+        const SourceRange where = places_.back();
+        places_.pop_back();
+        return where;
+    }
     Terms numeric(const Operand& operand) const;
     Item& new_item(Item::Kind kind, SourceRange where);
-    void add_numbers(const Terms& terms, SourceRange where);
     Block& open() { return *blocks_.back().block; }
 
     Session& session_;
     FunctionBuilder functions_;
     std::vector<Operand> operands_;
+    std::vector<SourceRange> places_;
     std::vector<List> lists_;
     std::vector<OpenBlock> blocks_;
     std::vector<OpenArray> arrays_;
     std::vector<OpenColor> colors_;
     std::shared_ptr<const Block> finished_;
+    std::vector<std::shared_ptr<Block>> spare_;
     enum class NameState { parameter, operand, called };
     bool image_number_ = false;
     std::vector<NameState> names_;  ///< of the user function's identifiers being read

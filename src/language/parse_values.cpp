@@ -40,8 +40,9 @@ void ParseState::push_transform_value() {
     top().place = {};
 }
 
-void ParseState::open_array() {
+void ParseState::open_array(SourceRange where) {
     OpenArray opened;
+    opened.word = where;
     opened.array = std::make_shared<Array>();
     arrays_.push_back(std::move(opened));
 }
@@ -59,7 +60,7 @@ void ParseState::size_array() {
     arrays_.back().where = operand.where;
 }
 
-void ParseState::check_array(SourceRange) {
+void ParseState::check_array() {
     Array& array = *arrays_.back().array;
     size_t total = 1;
     for (size_t s : array.sizes) total *= s;
@@ -109,7 +110,8 @@ void ParseState::add_row_item() {
     array.elements[opened.filled++] = std::move(operand.value);
 }
 
-void ParseState::push_array(SourceRange where) {
+void ParseState::push_array() {
+    const SourceRange where = arrays_.back().word;
     ArrayPtr array = std::move(arrays_.back().array);
     arrays_.pop_back();
     push(std::move(array), where);

@@ -142,15 +142,28 @@ std::string Parser::file_name() {
 }
 
 std::shared_ptr<const Block> Parser::block(const Produced& keyword) {
-    ParseState state(session_);
-    const std::string_view spelling = session_.words.spelling(keyword.word);
-    state.open_block(spelling, keyword.where);
+    if (input_->take_quick_brace()) return rest_of_block(keyword);
     if (peek().kind != Tok::lbrace) {
-        session_.fail(peek().where, fmt::format("Missing {{ after '{}', {} found instead", spelling,
-                                                found_text(session_, peek())));
+        session_.fail(peek().where,
+                      fmt::format("Missing {{ after '{}', {} found instead",
+                                  session_.words.spelling(keyword.word), found_text(session_, peek())));
     }
-    if (!run<grammar::statement>(*input_, state)) fail_expected("}");
-    return state.take_finished();
+    take();
+    return rest_of_block(keyword);
 }
+
+std::shared_ptr<const Block> Parser::plain_statement() {
+    Produced keyword;
+    return input_->take_quick_statement(keyword) ? rest_of_block(keyword) : nullptr;
+}
+
+std::shared_ptr<const Block> Parser::rest_of_block(const Produced& keyword) {
+    if (!blocks_) blocks_ = std::make_unique<ParseState>(session_);
+    blocks_->open_block(session_.words.spelling(keyword.word), keyword.where);
+    if (!run<grammar::inner>(*input_, *blocks_)) fail_expected("}");
+    return blocks_->take_finished();
+}
+
+void Parser::recycle(std::shared_ptr<const Block> block) { blocks_->recycle(std::move(block)); }
 
 }  // namespace rb

@@ -20,6 +20,7 @@ struct Operand {
 };
 
 class TokenInput;
+class ParseState;
 
 /// One parse over the token stream. Parses nest: a directive between two tokens makes its own. Tokens that
 /// were looked at but not used go back to the stream when it ends. The home of the token grammar is
@@ -52,6 +53,10 @@ public:
 
     /// keyword "{" items "}", the keyword already taken.
     std::shared_ptr<const Block> block(const Produced& keyword);
+    /// The same if a plain statement comes next; null: nothing was read.
+    std::shared_ptr<const Block> plain_statement();
+    /// A block that was read: its memory serves the next one.
+    void recycle(std::shared_ptr<const Block> block);
 
     /// Locks directives between an operand and the next operator.
     void lock(bool on);
@@ -60,7 +65,11 @@ public:
 
 private:
     Session& session_;
+    std::shared_ptr<const Block> rest_of_block(const Produced& keyword);
+
     std::unique_ptr<TokenInput> input_;
+    std::unique_ptr<ParseState>
+        blocks_;  ///< empty but for spare memory between blocks; null before the first
     bool saved_lock_;
     bool saved_quiet_;
     int saved_nesting_;

@@ -125,6 +125,16 @@ bool QuickExpression::rel(Value& out) {
 }
 
 bool QuickExpression::sum(Value& out) {
+    const uint32_t start = at_;
+    double number = 0;
+    if (float_sum(number)) {
+        const Token& last = tokens_[at_ - 1];
+        out.terms = {{number}, 1};
+        out.begin = tokens_[start].begin;
+        out.end = last.begin + last.size;
+        return true;
+    }
+    at_ = start;
     if (!term(out)) return false;
     while (kind() == Tok::plus || kind() == Tok::minus) {
         const Operator op = kind() == Tok::plus ? Operator::add : Operator::subtract;
@@ -156,10 +166,8 @@ bool QuickExpression::factor(Value& out) {
         out.begin = begin;
         return true;
     }
-    const bool leads = at_ == first_;
     while (take(Tok::plus)) {
     }
-    if (leads) first_ = at_;
     return primary(out) && (kind() != Tok::dot || component(out));
 }
 
@@ -181,6 +189,7 @@ bool QuickExpression::primary(Value& out) {
             if (++depth_ > deepest || !full(out) || !take(Tok::rparen)) return false;
             --depth_;
             out.begin = token.begin;
+            out.end = tokens_[at_ - 1].begin + tokens_[at_ - 1].size;
             return true;
         default:
             return false;
@@ -236,12 +245,11 @@ bool QuickExpression::elements(const ArrayPtr& array, Value& out) {
     while (true) {
         size_t index = 0;
         for (const size_t size : (*from)->sizes) {
-            const Token& bracket = tokens_[at_];
             Value subscript;
             if (!take(Tok::lbracket) || ++depth_ > deepest || !sum(subscript) || !take(Tok::rbracket))
                 return false;
             --depth_;
-            out.end = bracket.begin + bracket.size;
+            out.end = tokens_[at_ - 1].begin + tokens_[at_ - 1].size;
             const double number = subscript.terms.v[0] + 1e-10;
             if (subscript.terms.count != 1 || !(number >= 0 && number < static_cast<double>(size)))
                 return false;

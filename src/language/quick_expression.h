@@ -38,14 +38,18 @@ private:
         uint32_t end = 0;
     };
     struct Drawn {
-        size_t stream = 0;
-        uint32_t state = 0;
+        size_t stream;
+        uint32_t state;
     };
 
     bool full(Value& out);
     bool logical(Value& out);
     bool rel(Value& out);
     bool sum(Value& out);
+    bool float_sum(double& out);
+    bool float_term(double& out);
+    bool float_factor(double& out);
+    bool float_component(const Terms& terms, double& out);
     bool term(Value& out);
     bool factor(Value& out);
     bool primary(Value& out);

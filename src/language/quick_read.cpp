@@ -1,6 +1,7 @@
 // What the token stream reads without the grammar, as long as it is plain.
 #include "language/parser.h"
 #include "language/quick_expression.h"
+#include "language/read.h"
 
 namespace rb {
 
@@ -45,7 +46,9 @@ bool TokenStream::unread(const Produced& token) {
     return true;
 }
 
-bool TokenStream::quick(Level level, std::initializer_list<Tok> ends, Operand& out) {
+/// `take(expression)` takes over what was read.
+template <class Take>
+bool TokenStream::quick(Level level, std::initializer_list<Tok> ends, Take&& take) {
     if (!reads_plainly()) return false;
     Frame& frame = top();
     uint32_t end = frame.end;
@@ -56,11 +59,61 @@ bool TokenStream::quick(Level level, std::initializer_list<Tok> ends, Operand& o
     QuickExpression expression(session_, *frame.tokens, frame.at, end);
     if (level == Level::color) expression.leave_channels();
     if (!(level == Level::sum ? expression.read_sum(ends) : expression.read_full(ends))) return false;
-    out.value = expression.terms();
-    out.place = expression.place();
-    out.where = expression.where();
+    take(expression);
     produced_ += expression.at() - frame.at;
     frame.at = expression.at();
+    return true;
+}
+
+bool TokenStream::quick_operand(Level level, std::initializer_list<Tok> ends, Operand& out) {
+    return quick(level, ends, [&](const QuickExpression& expression) {
+        out.value = expression.terms();
+        out.place = expression.place();
+        out.where = expression.where();
+    });
+}
+
+bool TokenStream::quick_terms(Terms& out, SourceRange& where) {
+    return quick(Level::sum, {}, [&](const QuickExpression& expression) {
+        out = expression.terms();
+        where = expression.where();
+    });
+}
+
+bool TokenStream::quick_open(Produced& word) {
+    if (!reads_plainly()) return false;
+    Frame& frame = top();
+    if (frame.at + 1 >= frame.end) return false;
+    const Token* const tokens = frame.tokens->tokens.data() + frame.at;
+    if (tokens[0].kind != Tok::word || tokens[1].kind != Tok::lbrace) return false;
+    if (Words::kind(tokens[0].aux) != Tok::keyword) return false;
+    word.kind = Tok::keyword;
+    word.word = tokens[0].aux;
+    word.where = frame.tokens->range(tokens[0]);
+    frame.at += 2;
+    produced_ += 2;
+    ++open_braces_;
+    return true;
+}
+
+bool TokenStream::quick_at_statement() const {
+    if (quick_peek() != Tok::word) return false;
+    const uint32_t word = top().tokens->tokens[top().at].aux;
+    return Words::is_keyword(word) && begins_statement(session_.words.spelling(word));
+}
+
+bool TokenStream::quick_brace() {
+    if (!quick_take(Tok::lbrace)) return false;
+    ++open_braces_;
+    return true;
+}
+
+bool TokenStream::quick_close(SourceRange& where) {
+    if (quick_peek() != Tok::rbrace) return false;
+    Frame& frame = top();
+    where = frame.tokens->range(frame.tokens->tokens[frame.at++]);
+    ++produced_;
+    --open_braces_;
     return true;
 }
 
@@ -124,7 +177,7 @@ bool TokenStream::quick_color(Produced& first, Produced& word, Operand& base) {
     const bool has_color = take(Tok::color, first);
     if (take(Tok::rgb, word)) {
         if (!has_color) first = word;
-        if (quick(Level::color, {}, base)) return true;
+        if (quick_operand(Level::color, {}, base)) return true;
     }
     produced_ -= frame.at - start;
     frame.at = start;
@@ -156,7 +209,7 @@ bool TokenStream::quick_argument(Operand& out) {
     const Place* place = session_.symbols.look(tokens[0].aux);
     if (!place || !place->slot->deprecated.empty()) return false;
     const Value& value = place->value();
-    if (std::holds_alternative<MacroPtr>(value) || std::holds_alternative<Poison>(value) ||
+    if (!is_set(value) || std::holds_alternative<MacroPtr>(value) || std::holds_alternative<Poison>(value) ||
         is_function(value))
         return false;
     out.place = *place;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -164,12 +164,13 @@ private:
         if (!bounds && !in_.at_block("clipped_by")) return false;
         const Block& block = in_.block(bounds ? "bounded_by" : "clipped_by");
         BlockReader inner(block, in_.context());
-        std::vector<ObjectPtr>& list = bounds ? object_.bounded_by : object_.clipped_by;
+        ObjectList& target = bounds ? object_.bounded_by : object_.clipped_by;
         if (inner.take_word(bounds ? "clipped_by" : "bounded_by")) {
-            list = bounds ? object_.clipped_by : object_.bounded_by;
+            target = bounds ? object_.clipped_by : object_.bounded_by;
             inner.finish();
             return true;
         }
+        std::vector<ObjectPtr> list = target;
         const size_t before = list.size();
         while (ObjectPtr object = take_object(inner)) {
             if (object->texture) {
@@ -190,6 +191,7 @@ private:
             }
         }
         inner.finish();
+        target = std::move(list);
         return true;
     }
 
@@ -241,12 +243,20 @@ private:
 }  // namespace
 
 bool is_object_keyword(std::string_view keyword) {
-    static const std::unordered_set<std::string_view> words = [] {
-        std::unordered_set<std::string_view> all(object_words.begin(), object_words.end());
-        for (const ShapeKind* kind : all_shapes()) all.insert(kind->keyword);
+    // Asked several times for each object: one look at length and first letter leaves hardly any to compare.
+    constexpr size_t drawers = 256;
+    const auto drawer = [](std::string_view word) {
+        return (static_cast<size_t>(word.front()) + 32 * word.size()) % drawers;
+    };
+    static const std::array<std::vector<std::string_view>, drawers> words = [&] {
+        std::array<std::vector<std::string_view>, drawers> all;
+        for (const std::string_view word : object_words) all[drawer(word)].push_back(word);
+        for (const ShapeKind* kind : all_shapes()) all[drawer(kind->keyword)].push_back(kind->keyword);
         return all;
     }();
-    return words.contains(keyword);
+    if (keyword.empty()) return false;
+    const auto& candidates = words[drawer(keyword)];
+    return std::find(candidates.begin(), candidates.end(), keyword) != candidates.end();
 }
 
 std::optional<double> read_importance(const Block& block, const ReadContext& context) {
@@ -293,6 +303,10 @@ std::shared_ptr<Object> read_new_object(const Block& block, const ReadContext& c
         *object = *inner;
     } else if (csg) {
         auto children = std::make_shared<std::vector<ObjectPtr>>();
+        children->reserve(
+            static_cast<size_t>(std::count_if(block.items.begin(), block.items.end(), [](const Item& item) {
+                return std::holds_alternative<ObjectPtr>(item.thing);
+            })));
         while (ObjectPtr child = take_object(in)) children->push_back(std::move(child));
         if (children->size() < 2 && keyword != "light_group" && context.language_version >= 150) {
             context.diagnostics->warning(block.where, "Should have at least 2 objects in csg.");

@@ -61,7 +61,7 @@ bool take_transformation(BlockReader& in, Transform& map) {
     } else {
         return false;
     }
-    map = then(map, step);
+    map = map.is_identity() ? step : then(map, step);
     return true;
 }
 

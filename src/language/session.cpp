@@ -34,6 +34,9 @@ ReadContext Session::context() {
         if (auto path = find_file(*c.session, name, SoughtFile::font, where)) return *path;
         throw missing_file(*c.session, name, SoughtFile::font, where, "Cannot open font file.");
     };
+    context.found_value = [](const ReadContext& c, SourceRange where) {
+        return found_value(*c.session, where);
+    };
     context.unicode = charset != Charset::ascii;
     return context;
 }

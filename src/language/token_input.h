@@ -85,24 +85,45 @@ public:
     bool take_quick_item(State& state) {
         if (at_ != produced_ && !(may_be_quick_item() && steps_back())) return false;
         TokenStream& stream = session_.stream;
-        Produced word;
-        Operand operand;
-        if (stream.quick_sum(operand)) {
-            state.add_terms(*operand.terms(), operand.where);
-        } else if (stream.quick_word(word)) {
+        if (Tok kind = stream.quick_peek(); kind == Tok::rbrace || kind == Tok::hash) return false;
+        Terms terms;
+        SourceRange where;
+        if (stream.quick_terms(terms, where)) {
+            state.add_terms(terms, where);
+        } else if (Produced word; stream.quick_word(word)) {
             state.add_word(word);
-        } else {
-            Produced first;
-            if (!state.colors_allowed() || !stream.quick_color(first, word, operand)) return false;
-            state.open_color(first.where);
-            if (first.kind == Tok::color) state.add_color_word();
-            state.set_color_word(word);
-            state.push(std::move(operand));
-            state.add_rgb_base();
-            state.add_color();
+        } else if (!take_quick_color(state)) {
+            return false;
         }
         stream.quick_take(Tok::comma);
         return true;
+    }
+    /// `keyword {` of a statement; false: nothing was read.
+    bool take_quick_statement(Produced& keyword) {
+        TokenStream& stream = session_.stream;
+        return at_ == produced_ && stream.quick_at_statement() && stream.quick_open(keyword);
+    }
+    /// The brace behind the keyword of a statement.
+    bool take_quick_brace() { return at_ == produced_ && session_.stream.quick_brace(); }
+    /// `keyword {`; false: nothing was read.
+    template <class State>
+    bool take_quick_open(State& state) {
+        Produced word;
+        if (at_ != produced_ && !(ring_[at_ % kept].kind == Tok::keyword && steps_back())) return false;
+        if (!session_.stream.quick_open(word)) return false;
+        state.open_block(session_.words.spelling(word.word), word.where);
+        return true;
+    }
+    /// The `}` of a block; false: nothing was read.
+    template <class State>
+    bool take_quick_close(State& state) {
+        SourceRange where;
+        if (at_ != produced_ || !session_.stream.quick_close(where)) return false;
+        state.close_inner_block(where);
+        return true;
+    }
+    void take_quick_comma() {
+        if (at_ == produced_) session_.stream.quick_take(Tok::comma);
     }
     void open_run() {
         const SourceRange where = peek().where;
@@ -161,6 +182,20 @@ private:
         const Tok kind = ring_[at_ % kept].kind;
         if (kind == Tok::keyword) return session_.stream.quick_peek() != Tok::lbrace;
         return kind == Tok::color || kind == Tok::rgb || may_begin_quick(kind);
+    }
+    template <class State>
+    bool take_quick_color(State& state) {
+        Produced first;
+        Produced word;
+        Operand operand;
+        if (!state.colors_allowed() || !session_.stream.quick_color(first, word, operand)) return false;
+        state.open_color(first.where);
+        if (first.kind == Tok::color) state.add_color_word();
+        state.set_color_word(word);
+        state.push(std::move(operand));
+        state.add_rgb_base();
+        state.add_color();
+        return true;
     }
     static bool may_begin_quick(Tok kind) {
         switch (kind) {

@@ -162,38 +162,56 @@ size_t TokenStream::include_depth() const {
                                              [](const Frame& f) { return f.kind == Frame::Kind::file; }));
 }
 
-void TokenStream::call(const MacroPtr& macro, SourceRange where) {
+void TokenStream::fail_arguments(const Macro& macro, size_t found, SourceRange where) {
+    std::string names;
+    for (size_t i = 0; i < macro.parameters.size(); ++i) {
+        const std::string_view name = session_.words.spelling(macro.parameters[i]);
+        names += fmt::format("{}{}{}", names.empty() ? "" : ", ", macro.optional[i] ? "optional " : "", name);
+    }
+    throw SceneError(where,
+                     fmt::format("Expected {} parameters but only {} found.", macro.parameters.size(), found),
+                     fmt::format("usage: {}({})", macro.name, names));
+}
+
+std::vector<Operand> TokenStream::read_arguments(const Macro& macro) {
     std::vector<Operand> arguments;
-    arguments.reserve(macro->parameters.size());
+    arguments.reserve(macro.parameters.size());
     const bool opened = quick_take(Tok::lparen);
-    if (!opened || !quick_arguments(*macro, arguments)) {
-        Parser parser(session_);
-        if (!opened) parser.expect(Tok::lparen, "(");
-        for (size_t i = arguments.size(); i < macro->parameters.size(); ++i) {
-            if (parser.peek().kind == Tok::rparen) {
-                std::string names;
-                for (const uint32_t name : macro->parameters)
-                    names += fmt::format("{}{}", names.empty() ? "" : ", ", session_.words.spelling(name));
-                throw SceneError(
-                    parser.peek().where,
-                    fmt::format("Expected {} parameters but only {} found.", macro->parameters.size(), i),
-                    fmt::format("usage: {}({})", macro->name, names));
-            }
-            if (parser.peek().kind == Tok::undeclared) {
-                session_.fail(
-                    parser.peek().where,
-                    "Cannot pass uninitialized identifier as macro parameter. Initialize identifier first.");
-            }
+    if (opened && quick_arguments(macro, arguments)) return arguments;
+    Parser parser(session_);
+    if (!opened) parser.expect(Tok::lparen, "(");
+    for (size_t i = arguments.size(); i < macro.parameters.size(); ++i) {
+        const Produced& next = parser.peek();
+        const bool is_missing = next.kind == Tok::rparen || next.kind == Tok::comma;
+        if (is_missing && macro.optional[i]) {
+            arguments.emplace_back();
+            parser.take_if(Tok::comma);
+            continue;
+        }
+        if (next.kind == Tok::rparen) fail_arguments(macro, i, next.where);
+        const SourceRange at = next.where;
+        bool is_set = next.kind != Tok::undeclared;
+        if (is_set) {
             parser.lock(true);
             arguments.push_back(parser.rvalue());
-            // Only a numeric expression keeps the lock on what follows it.
-            parser.lock(std::holds_alternative<Terms>(arguments.back().value));
-            if (parser.peek().kind == Tok::hash) parser.fail_expected(")");
-            parser.take_if(Tok::comma);
-            parser.lock(false);
+            is_set = macro.optional[i] || rb::is_set(arguments.back().value);
         }
-        parser.expect(Tok::rparen, ")");
+        if (!is_set) {
+            session_.fail(
+                at, "Cannot pass uninitialized identifier as macro parameter. Initialize identifier first.");
+        }
+        // Only a numeric expression keeps the lock on what follows it.
+        parser.lock(std::holds_alternative<Terms>(arguments.back().value));
+        if (parser.peek().kind == Tok::hash) parser.fail_expected(")");
+        parser.take_if(Tok::comma);
+        parser.lock(false);
     }
+    parser.expect(Tok::rparen, ")");
+    return arguments;
+}
+
+void TokenStream::call(const MacroPtr& macro, SourceRange where) {
+    std::vector<Operand> arguments = read_arguments(*macro);
     if (session_.symbols.depth() >= Symbols::limit) {
         throw SceneError(where, "Too many nested symbol tables",
                          fmt::format("at most {} macro calls and include files nest", Symbols::limit - 2));

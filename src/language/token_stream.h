@@ -42,11 +42,18 @@ public:
     /// Reads a plain numeric expression that comes next (see QuickExpression) and that one of `ends` follows,
     /// if any are given; false: nothing was read.
     bool quick_sum(Operand& out, std::initializer_list<Tok> ends = {}) {
-        return quick(Level::sum, ends, out);
+        return quick_operand(Level::sum, ends, out);
     }
     bool quick_full(Operand& out, std::initializer_list<Tok> ends = {}) {
-        return quick(Level::full, ends, out);
+        return quick_operand(Level::full, ends, out);
     }
+    /// The same as `quick_sum` where the place that it names does not matter.
+    bool quick_terms(Terms& out, SourceRange& where);
+    /// `keyword {`, and the `}` of a block.
+    bool quick_open(Produced& word);
+    bool quick_at_statement() const;
+    bool quick_brace();
+    bool quick_close(SourceRange& where);
     /// The same for an item of a block: a word that stands alone, and [ "color" ] "rgb..." full without
     /// channels.
     bool quick_word(Produced& out);
@@ -120,7 +127,9 @@ private:
     bool take_semicolon();
     /// True if the next token comes from the frame on top, with nothing that waits before it.
     bool reads_plainly() const;
-    bool quick(Level level, std::initializer_list<Tok> ends, Operand& out);
+    template <class Take>
+    bool quick(Level level, std::initializer_list<Tok> ends, Take&& take);
+    bool quick_operand(Level level, std::initializer_list<Tok> ends, Operand& out);
     bool is_plain(const Token& token) const;
     bool quick_argument(Operand& out);
     bool quick_arguments(const Macro& macro, std::vector<Operand>& arguments);
@@ -129,6 +138,8 @@ private:
     bool resolve(const Token& token, Produced& out);
     void warn_deprecated(Slot& slot, const Produced& at);
     void call(const MacroPtr& macro, SourceRange where);
+    std::vector<Operand> read_arguments(const Macro& macro);
+    [[noreturn]] void fail_arguments(const Macro& macro, size_t found, SourceRange where);
 
     // Raw reading, for directives: no look-up, no execution.
     Token raw_next();

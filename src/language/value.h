@@ -18,6 +18,7 @@ using ArrayPtr = std::shared_ptr<Array>;
 struct Macro {
     std::string name;
     std::vector<uint32_t> parameters;
+    std::vector<bool> optional;  ///< by parameter: it may be left out, and is then undeclared in the body
     TokenFilePtr file;
     uint32_t body_begin = 0;
     uint32_t body_end = 0;

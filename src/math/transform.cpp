@@ -6,6 +6,7 @@
 namespace rb {
 
 const Transform SharedTransform::identity{};
+const Affine SharedAffine::identity{};
 
 SharedTransform::SharedTransform(const Transform& map) {
     // Bit by bit: -0 is not the identity's 0.

@@ -83,6 +83,24 @@ private:
     std::shared_ptr<const Transform> map_;
 };
 
+/// The same for an affine map.
+class SharedAffine {
+public:
+    SharedAffine() = default;
+    SharedAffine(const Affine& map) : map_(std::make_shared<const Affine>(map)) {}
+
+    operator const Affine&() const { return map_ ? *map_ : identity; }
+    const Affine* operator->() const { return map_ ? map_.get() : &identity; }
+    Vec3 point(const Vec3& p) const { return (*this)->point(p); }
+    Vec3 direction(const Vec3& d) const { return (*this)->direction(d); }
+    Vec3 transposed_direction(const Vec3& n) const { return (*this)->transposed_direction(n); }
+
+private:
+    static const Affine identity;
+
+    std::shared_ptr<const Affine> map_;
+};
+
 /// First `a`, then `b`: `scale 2 translate x` is then(scaling(2), translation(x)).
 Transform then(const Transform& a, const Transform& b);
 

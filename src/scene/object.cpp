@@ -17,6 +17,12 @@ std::vector<ObjectPtr> transformed(const std::vector<ObjectPtr>& objects, const 
 
 }  // namespace
 
+const std::vector<ObjectPtr> ObjectList::none;
+
+ObjectList::ObjectList(std::vector<ObjectPtr> objects) {
+    if (!objects.empty()) objects_ = std::make_shared<const std::vector<ObjectPtr>>(std::move(objects));
+}
+
 Light transformed(const Light& light, const Transform& map) {
     Light out = light;
     out.location = map.point(light.location);
@@ -37,9 +43,10 @@ void transform_object(Object& object, const Transform& map) {
         *light = std::make_shared<Light>(transformed(**light, map));
         return;
     }
-    object.world_from_object = then(object.world_from_object, map);
-    object.bounded_by = transformed(object.bounded_by, map);
-    object.clipped_by = transformed(object.clipped_by, map);
+    object.world_from_object =
+        object.world_from_object.is_identity() ? map : then(object.world_from_object, map);
+    if (!object.bounded_by.empty()) object.bounded_by = transformed(object.bounded_by, map);
+    if (!object.clipped_by.empty()) object.clipped_by = transformed(object.clipped_by, map);
     if (object.uv_mapping) return;
     if (object.texture) object.texture->world_from_texture = then(object.texture->world_from_texture, map);
     if (object.interior_texture) {

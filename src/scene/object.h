@@ -28,6 +28,24 @@ using InteriorPtr = std::shared_ptr<const Interior>;
 struct Object;
 using ObjectPtr = std::shared_ptr<const Object>;
 
+/// A list of objects in the size of a pointer, for what hardly any object has: copies share it until one
+/// changes.
+class ObjectList {
+public:
+    ObjectList() = default;
+    ObjectList(std::vector<ObjectPtr> objects);
+
+    operator const std::vector<ObjectPtr>&() const { return objects_ ? *objects_ : none; }
+    bool empty() const { return !objects_; }
+    auto begin() const { return objects_ ? objects_->begin() : none.begin(); }
+    auto end() const { return objects_ ? objects_->end() : none.end(); }
+
+private:
+    static const std::vector<ObjectPtr> none;
+
+    std::shared_ptr<const std::vector<ObjectPtr>> objects_;
+};
+
 enum class CsgKind { union_, merge, intersection, difference };
 
 /// A compound. In a difference the children from the second on are subtracted as they stand here (not
@@ -63,8 +81,8 @@ struct Object {
     /// Null: the scene's.
     TexturePtr fallback_texture;
     InteriorPtr interior;
-    std::vector<ObjectPtr> bounded_by;
-    std::vector<ObjectPtr> clipped_by;
+    ObjectList bounded_by;
+    ObjectList clipped_by;
 
     bool uv_mapping = false;
     bool inverse = false;

@@ -142,6 +142,9 @@ public:
     /// scale); otherwise null, and the caller keeps the transform beside the shape.
     virtual std::shared_ptr<const Shape> transformed(const Transform& map) const;
 
+    /// Does once what queries would otherwise do first (a tree of its own). Safe to call from many threads.
+    virtual void prepare() const {}
+
     /// The complement, if the shape has one of its own kind (plane, quadric); otherwise null, and the caller
     /// turns normals and inside.
     virtual std::shared_ptr<const Shape> inverted() const { return nullptr; }

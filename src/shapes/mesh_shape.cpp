@@ -25,7 +25,11 @@ MeshShape::MeshShape(std::string_view keyword, MeshData data, bool brute_force)
     for (const auto& face : data_.triangles.faces) {
         for (const uint32_t v : face) bounds_.include(Vec3(data_.triangles.vertices[v]));
     }
-    if (brute_force_) return;
+}
+
+void MeshShape::build_tree() const {
+    const std::lock_guard lock(building_);
+    if (has_tree_.load(std::memory_order_relaxed)) return;
     KdOptions options;
     options.block = 8;
     options.traversal_cost = 1.5;
@@ -48,6 +52,7 @@ MeshShape::MeshShape(std::string_view keyword, MeshData data, bool brute_force)
         return clipped_triangle(vertex(face, 0), vertex(face, 1), vertex(face, 2), cell);
     };
     tree_ = KdTree(static_cast<uint32_t>(data_.triangles.faces.size()), box_of, options, clip);
+    has_tree_.store(true, std::memory_order_release);
 }
 
 /// Calls take(face, hit) for the faces that the ray meets in (t_min, t_max] and that are not where it starts;
@@ -74,7 +79,7 @@ bool MeshShape::each_candidate(const ShapeRay& ray, const double& t_max, Take&& 
         }
         return false;
     }
-    return tree_.walk(ray.ray, ray.t_min, t_max, [&](const uint32_t* found, uint32_t count) {
+    return tree().walk(ray.ray, ray.t_min, t_max, [&](const uint32_t* found, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
             if (test(found[i])) return true;
         }
@@ -135,7 +140,7 @@ bool MeshShape::inside(const Vec3& p) const {
     if (brute_force_) {
         for (uint32_t f = 0; f < data_.triangles.faces.size(); ++f) collect(&f, 1);
     } else {
-        tree_.walk(ray, 0.0, far, collect);
+        tree().walk(ray, 0.0, far, collect);
     }
     std::sort(met.begin(), met.end());
     met.erase(std::unique(met.begin(), met.end()), met.end());

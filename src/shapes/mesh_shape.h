@@ -3,7 +3,9 @@
 #include "kdtree/kdtree.h"
 #include "scene/shape.h"
 
+#include <atomic>
 #include <functional>
+#include <mutex>
 
 namespace rb {
 
@@ -51,19 +53,29 @@ public:
     std::optional<TriangleMesh> tessellate(double tolerance) const override;
     std::string describe() const override;
 
-    const KdTree& tree() const { return tree_; }
+    /// Built by the first one who asks.
+    const KdTree& tree() const {
+        if (!has_tree_.load(std::memory_order_acquire)) build_tree();
+        return tree_;
+    }
+    void prepare() const override {
+        if (!brute_force_) tree();
+    }
 
 private:
     Vec3 vertex(uint32_t face, size_t corner) const {
         return Vec3(data_.triangles.vertices[data_.triangles.faces[face][corner]]);
     }
+    void build_tree() const;
     template <class Take>
     bool each_candidate(const ShapeRay& ray, const double& t_max, Take&& take) const;
 
     std::string keyword_;
     MeshData data_;
     Bounds bounds_;
-    KdTree tree_;
+    mutable KdTree tree_;
+    mutable std::atomic<bool> has_tree_ = false;
+    mutable std::mutex building_;
     bool brute_force_;
 };
 

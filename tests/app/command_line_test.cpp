@@ -47,6 +47,47 @@ TEST(CommandLine, PlainAntialiasIsMethodOne) {
     EXPECT_FALSE(parse({"a.pov", "+A", "-A"}).antialias);
 }
 
+// What would change the result and does not work is said; what the reference takes without effect is not.
+TEST(CommandLine, OptionsWithoutEffectAreSaid) {
+    for (const char* word : {"Dither=on", "+THB2", "Clockless_Animation=on", "Radiosity_From_File=on", "+RFO",
+                             "+RTR", "Fatal_Console=off", "-UR", "Create_Histogram=on"}) {
+        EXPECT_EQ(parse({"a.pov", word}).without_effect.size(), 1u) << word;
+    }
+    for (const char* word : {"Dither=off",
+                             "Dither_Method=FS",
+                             "-TH",
+                             "Field_Render=on",
+                             "+UO",
+                             "Light_Buffer=on",
+                             "+UV",
+                             "Bounding_Method=2",
+                             "BSP_MaxDepth=3",
+                             "Render_Pattern=2",
+                             "Preview_Start_Size=8",
+                             "Warning_Level=0",
+                             "+X3",
+                             "+UR",
+                             "Fatal_Console=on",
+                             "+GP",
+                             "Buffer_Size=3",
+                             "Histogram_Type=csv",
+                             "High_Reproducibility=on",
+                             "Display_Gamma=2.2"}) {
+        EXPECT_TRUE(parse({"a.pov", word}).without_effect.empty()) << word;
+    }
+}
+
+TEST(CommandLine, MessageFiles) {
+    const Settings s = parse(
+        {"a.pov", "All_File=a.txt", "+GDon", "Warning_File=x.txt", "Warning_File=off", "-GFf.txt", "+GP"});
+    const auto name = [&](MessageStream stream) { return s.message_files[static_cast<size_t>(stream)]; };
+    EXPECT_EQ(name(MessageStream::all), "a.txt");
+    EXPECT_EQ(name(MessageStream::debug), "debug.out");
+    EXPECT_EQ(name(MessageStream::fatal), "f.txt");
+    EXPECT_EQ(name(MessageStream::warning), "");
+    EXPECT_TRUE(s.append_files);
+}
+
 // The reference refuses these (shading spec 12.1).
 TEST(CommandLine, WrongWordsAreErrors) {
     for (const char* word : {"+A.3", "+A1.0", "+Z", "Bogus=1", "+W", "+Wabc", "+FX", "nosuch.txt", "-res"}) {

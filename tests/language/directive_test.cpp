@@ -49,6 +49,31 @@ TEST(Macro, ArgumentsGoByReferenceIfTheyAreIdentifiers) {
     EXPECT_EQ(numbers("#macro L(N) #declare N=9; #end #declare A=<1,2>; L(A.x) ", "A.x"), "1.00");
 }
 
+// Measured: a sign makes a value of a variable.
+TEST(Macro, SignedArgumentsGoByValue) {
+    constexpr const char* inc = "#macro Inc(A) #declare A=A+1; #end #declare B=array[2]{1,2} #declare V=1; ";
+    EXPECT_EQ(numbers(std::string(inc) + "Inc(+V)", "V"), "1.00");
+    EXPECT_EQ(numbers(std::string(inc) + "Inc(++V) Inc(-V) Inc((V)) Inc(V+0)", "V"), "1.00");
+    EXPECT_EQ(numbers(std::string(inc) + "Inc(+B[0]) Inc(B[1])", "B[0];B[1]"), "1.00 3.00");
+}
+
+TEST(Macro, OptionalParametersMayBeMissing) {
+    constexpr const char* macro =
+        "#macro W(N) #debug concat(str(N,0,0),\" \") #end #macro M(A, optional B, optional C) W(A) #ifdef(B) "
+        "W(B) #else W(-1) #end #ifndef(C) #local C=7; #end "
+        "W(C) #end ";
+    EXPECT_EQ(said(std::string(macro) + "M(1) M(1,2) M(1,2,3) M(1,,3) M(1,) M(1,,)"),
+              "1 -1 7 1 2 7 1 2 3 1 -1 3 1 -1 7 1 -1 7");
+    EXPECT_EQ(said(std::string(macro) + "#declare B=5; M(1) W(B)"), "1 -1 7 5");
+    EXPECT_EQ(said(std::string(macro) + "#macro N(optional B) M(4,B) #end N() N(6)"), "4 -1 7 4 6 7");
+    EXPECT_EQ(said("#macro M(optional) #debug str(optional,0,0) #end M(3)"), "3");
+    EXPECT_EQ(first_error(std::string(macro) + "M()"), "Expected 3 parameters but only 0 found.");
+    EXPECT_EQ(first_error("#macro R(A) #end #macro M(optional B) R(B) #end M()"),
+              "Cannot pass uninitialized identifier as macro parameter. Initialize identifier first.");
+    EXPECT_EQ(first_error("#macro M(optional B) sphere { 0, B } #end M()"),
+              "Expected 'numeric expression', undeclared identifier found instead");
+}
+
 TEST(Macro, ScopeIsDynamic) {
     EXPECT_EQ(said("#macro In() #declare G=G+1; #end #macro Out() #local G=10; In() D(G) #end #declare G=1; "
                    "Out() D(G)"),

@@ -117,6 +117,7 @@ TEST(Function, CallsAndLoops) {
                   "F(1,2);G(1,2,3)", {12, 30});
     expect_values("#declare F=function(x,u){x*10+u}", "F(1,2)", {22});
     expect_values("#declare F=function{prod(i,1,x,i)}", "F(5,0,0)", {120});
+    expect_values("#declare F=function(n){sum(i,1,n,1)}", "F(1e6)", {1e6});
     expect_values("#declare F=function{select(x,1,2,3)+min(x,y,z)+(x<y & y<z | 0)}", "F(-1,2,3)",
                   {1 - 1 + 1});
 }

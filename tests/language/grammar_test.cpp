@@ -22,8 +22,11 @@ template <typename Name>
 struct analyze_traits<Name, rb::grammar::defined_test> : analyze_any_traits<> {};
 template <typename Name, bool full>
 struct analyze_traits<Name, rb::grammar::quick_expression<full>> : analyze_any_traits<> {};
-template <typename Name>
-struct analyze_traits<Name, rb::grammar::quick_items> : analyze_opt_traits<> {};
+template <typename Name, typename Rest>
+struct analyze_traits<Name, rb::grammar::quick_items<Rest>> : analyze_opt_traits<> {};
+template <typename Name, typename Plain, typename Items, typename Close>
+struct analyze_traits<Name, rb::grammar::block_rest<Plain, Items, Close>>
+    : analyze_seq_traits<Plain, Items, must<Close>> {};
 template <typename Name>
 struct analyze_traits<Name, rb::grammar::open_next> : analyze_opt_traits<> {};
 template <typename Name, typename Question>
@@ -41,7 +44,7 @@ namespace {
 TEST(Grammar, LexicalRulesAlwaysAdvance) { EXPECT_EQ(tao::pegtl::analyze<lexical::file>(), 0u); }
 TEST(Grammar, TokenRulesAlwaysAdvance) {
     EXPECT_EQ(tao::pegtl::analyze<grammar::rvalue>(), 0u);
-    EXPECT_EQ(tao::pegtl::analyze<grammar::statement>(), 0u);
+    EXPECT_EQ(tao::pegtl::analyze<grammar::inner>(), 0u);
 }
 
 }  // namespace

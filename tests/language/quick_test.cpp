@@ -81,6 +81,19 @@ TEST(Quick, LeavesToTheGrammarWhatIsNotPlain) {
         "#declare A = <1, 2, 3>; sphere { A.y + A.x * A.z, A.gray } sphere { A.t, 1 } sphere { A.foo, 1 }",
         "#declare A = <1, 2> + <1, 2, 3>; #declare B = -<1, 2> * <1, 2, 3>; #declare C = !<0, 1>; sphere { "
         "B, C.x }",
+        "sphere { (1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + <1, 2, 3, 4, 5>), 1 } sphere { -(1 + 1 + 1 + "
+        "1 + 1 + "
+        "1 + 1 + 1 + 1 + 1 + 1 + <1, 2, 3, 4, 5>) foo }",
+        "#declare A = array[2] { 1, 2 } sphere { A[1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 + 1 - 8] * <1, 2, 3, 4, 5>, "
+        "1 }",
+        "difference { box { 0, 1 rotate y * 3 } sphere { 0, 1 scale <1, 1 + 3 / 200, 1> } translate <3 * 2 - "
+        "11 + "
+        "0.01 * 3, -A, V.x> }",
+        "sphere { 0, 1 #if (1) pigment { rgb 1 #if (1) } #end } sphere { 0, 1 pigment { rgb <1, 2, 3> } "
+        "finish { "
+        "ambient #if (1) 1 } #end } union { sphere { 0 1 } box { 0, 1 } #macro M() } #end M()",
+        "#macro M(A, optional B) #ifdef (B) sphere { A, B } #else sphere { A, 1 } #end #end M(1) M(1,) M(1, "
+        "2) M(,)",
         "#declare A = +1; #declare B = + +A; #declare C = +-1; sphere { A, B }",
         "#declare A = <1>; #declare B = <1, 2, 3, 4, 5, 6>; sphere { 0, 1 }",
         "#declare A = (1 ? 2 : 3) + (0 ? <1, 2> : 4); #declare B = <1, 2> ? 1 : 2; sphere { A, 1 }",
