@@ -101,6 +101,7 @@ void TurnedLine::look_from_axis() {
     y_near = o.y + t_near * d.y;
     constexpr double flat = 1e-12;
     level = d.y * d.y <= flat * across;
+    t_per_height = 1.0 / d.y;
 }
 
 double TurnedLine::t_at(const TurnedPiece& piece, double w) const {
@@ -155,8 +156,8 @@ bool TurnedPieces::Box::may_meet(const TurnedLine& line, double t_min, double t_
     // Flatter lines meet it at a t that the height does not tell well.
     constexpr double steep = 1e-6;
     if (dd < steep * line.across) return true;
-    const double a = (lo.y - line.o.y) / line.d.y;
-    const double b = (hi.y - line.o.y) / line.d.y;
+    const double a = (lo.y - line.o.y) * line.t_per_height;
+    const double b = (hi.y - line.o.y) * line.t_per_height;
     constexpr double t_rounding = 1e-12;
     const double pad = t_rounding * (std::abs(a) + std::abs(b));
     return std::max(a, b) + pad >= t_min && std::min(a, b) - pad <= t_max;
@@ -164,6 +165,13 @@ bool TurnedPieces::Box::may_meet(const TurnedLine& line, double t_min, double t_
 
 TurnedPieces::Contact TurnedPieces::nearest_on(uint32_t index, const Vec2& p) const {
     const TurnedPiece& piece = pieces_[index];
+    if (piece.y[0] == 0.0 && piece.y[1] == 0.0 && piece.y[2] != 0.0) {
+        // The height alone tells where a point on the piece lies.
+        const double w = std::clamp((p.y - piece.y[3]) / piece.y[2], 0.0, 1.0);
+        const Vec2 at = piece.at(w);
+        constexpr double near = 1e-6;
+        if (glm::length(at - p) < near * std::abs(piece.y[2])) return settle(index, p, w, at);
+    }
     double least = std::numeric_limits<double>::infinity();
     size_t first = 0;
     for (size_t i = 0; i < sample_count; ++i) {
@@ -173,9 +181,13 @@ TurnedPieces::Contact TurnedPieces::nearest_on(uint32_t index, const Vec2& p) co
         least = dd;
         first = i;
     }
-    Contact best{index, static_cast<double>(first) / (sample_count - 1), std::sqrt(least)};
-    double w = best.w;
-    Vec2 at = samples_[index][first];
+    return settle(index, p, static_cast<double>(first) / (sample_count - 1), samples_[index][first]);
+}
+
+/// Gauss and Newton from w, whose point is `at`.
+TurnedPieces::Contact TurnedPieces::settle(uint32_t index, const Vec2& p, double w, Vec2 at) const {
+    const TurnedPiece& piece = pieces_[index];
+    Contact best{index, w, glm::length(at - p)};
     for (int i = 0; i < 20; ++i) {
         Vec2 along = piece.slope(w);
         if (at.x > 0.0) along.x /= at.x;

@@ -33,6 +33,7 @@ struct TurnedLine {
     double t_near = 0;
     double y_near = 0;
     double nearest = 0;
+    double t_per_height = 0;
     bool level = false;  ///< so nearly level that the height says little about t
 
     void look_from_axis();  ///< sets the rest from o and d
@@ -94,6 +95,7 @@ private:
     static constexpr size_t sample_count = 17;
 
     static Box box_of(const TurnedPiece& piece);
+    Contact settle(uint32_t piece, const Vec2& p, double w, Vec2 at) const;
     int cross_level(const TurnedLine& line, uint32_t piece, double own, std::array<Hit, 12>& hits) const;
 
     std::vector<TurnedPiece> pieces_;
