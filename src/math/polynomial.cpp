@@ -19,6 +19,20 @@ struct Powers {
     size_t degree = 0;
 };
 
+/// The sign at x, from as many bits as it needs.
+bool is_negative_at(const Powers& p, double x) {
+    double f = p.c[p.degree];
+    double magnitude = std::abs(f);
+    for (size_t i = p.degree; i-- > 0;) {
+        f = f * x + p.c[i];
+        magnitude = magnitude * std::abs(x) + std::abs(p.c[i]);
+    }
+    if (std::abs(f) > 2.0 * static_cast<double>(p.degree + 1) * 0x1p-53 * magnitude) return f < 0.0;
+    Twofold g(p.c[p.degree]);
+    for (size_t i = p.degree; i-- > 0;) g = g * Twofold(x) + Twofold(p.c[i]);
+    return is_negative(g);
+}
+
 /// Roots in [0, 1], isolated with numbers of type Real.
 template <class Real>
 class UnitRoots {
@@ -37,6 +51,13 @@ public:
         if (from > 0.0) b = cut(b, Real(from) / to).right;
         return search(b, end(from), end(to), most_levels);
     }
+    /// All those in [0, 1] if there is surely none or one; else false.
+    bool search_few() {
+        const Signs found = signs(over_unit(), end(0.0), end(1.0));
+        if (!found.sure || found.changes > 1) return false;
+        if (found.changes == 1) add(root_between(end(0.0), end(1.0)));
+        return true;
+    }
     size_t count() const { return count_; }
 
 private:
@@ -50,12 +71,7 @@ private:
         bool negative;
     };
 
-    Real value(double x) const {
-        Real f(p_.c[p_.degree]);
-        for (size_t i = p_.degree; i-- > 0;) f = f * Real(x) + Real(p_.c[i]);
-        return f;
-    }
-    End end(double x) const { return {x, is_negative(value(x))}; }
+    End end(double x) const { return {x, is_negative_at(p_, x)}; }
 
     /// Bernstein coefficients over [0, 1]: of all intervals this one loses least, since the powers begin at
     /// 0.
@@ -96,19 +112,27 @@ private:
         return parts;
     }
 
-    bool search(const Coefficients& b, const End& lo, const End& hi, int levels) {
-        bool sure = true;
-        bool noise = true;
-        int changes = 0;
+    struct Signs {
+        int changes;
+        bool sure;   ///< no sign but those of the ends could be rounding
+        bool noise;  ///< all could
+    };
+    Signs signs(const Coefficients& b, const End& lo, const End& hi) const {
+        Signs found{0, true, true};
         bool negative = lo.negative;
         for (size_t i = 1; i < p_.degree; ++i) {
             const bool clear = size_of(b[i]) > margin_;
-            sure = sure && clear;
-            noise = noise && !clear;
-            changes += is_negative(b[i]) != negative ? 1 : 0;
+            found.sure = found.sure && clear;
+            found.noise = found.noise && !clear;
+            found.changes += is_negative(b[i]) != negative ? 1 : 0;
             negative = is_negative(b[i]);
         }
-        changes += hi.negative != negative ? 1 : 0;
+        found.changes += hi.negative != negative ? 1 : 0;
+        return found;
+    }
+
+    bool search(const Coefficients& b, const End& lo, const End& hi, int levels) {
+        const auto [changes, sure, noise] = signs(b, lo, hi);
         if (sure && changes == 0) return true;
         const double x = 0.5 * (lo.x + hi.x);
         const bool cannot_tell = (noise && p_.degree > 1) || levels == 0 || !(x > lo.x && x < hi.x);
@@ -159,12 +183,42 @@ private:
     double margin_ = 0;  ///< of the coefficients' rounding
 };
 
-size_t unit_roots(const Powers& p, double from, double to, std::span<double> roots) {
+size_t roots_between(const Powers& p, double from, double to, std::span<double> roots) {
     UnitRoots<double> quick(p, roots);
     if (quick.search(from, to)) return quick.count();
     UnitRoots<Twofold> precise(p, roots);
     precise.search(from, to);
     return precise.count();
+}
+
+/// Roots of p between `from` and `to`, both in [0, 1], in any order. Octave after octave is scaled to end at
+/// 1 (exactly), so that small roots are seen as well as large ones.
+size_t unit_roots(Powers p, double from, double to, std::span<double> roots) {
+    size_t count = 0;
+    double scale = 1.0;
+    while (from < to) {
+        const size_t before = count;
+        if (from == 0.0 && to == 1.0) {
+            UnitRoots<double> few(p, roots.subspan(count));
+            if (few.search_few()) {
+                count += few.count();
+                for (size_t i = before; i < count; ++i) roots[i] *= scale;
+                break;
+            }
+        }
+        if (to > 0.5) count += roots_between(p, std::max(from, 0.5), to, roots.subspan(count));
+        for (size_t i = before; i < count; ++i) roots[i] *= scale;
+        double power = 1.0;
+        for (size_t i = 0; i <= p.degree; ++i) {
+            p.c[i] *= power;
+            power *= 0.5;
+        }
+        from *= 2.0;
+        to = std::min(2.0 * to, 1.0);
+        scale *= 0.5;
+        if (scale == 0.0) break;
+    }
+    return count;
 }
 
 /// p(sign 2^exponent u), divided by a power of two so that its largest coefficient is about 1: exact.
@@ -210,7 +264,9 @@ int solve_polynomial(std::span<const double> c, double lo, double hi, std::span<
         const Powers p = scaled(c, sign, exponent);
         const double from = std::ldexp(std::max(near, 0.0), -exponent);
         const size_t n = unit_roots(p, from, std::ldexp(far, -exponent), found);
-        for (size_t i = 0; i < n; ++i) found[i] = sign * std::ldexp(found[i], exponent);
+        for (size_t i = 0; i < n; ++i) found[i] = std::ldexp(found[i], exponent);
+        std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(n));
+        for (size_t i = 0; i < n; ++i) found[i] *= sign;
         return n;
     };
     const size_t below = side(-1.0, -hi, -lo);
