@@ -54,8 +54,10 @@ double root_between(const std::array<double, N + 1>& c, double a, double fa, dou
         before = last;
         last = std::abs(next - x);
         const double enough = eps * std::max(std::abs(next), least);
-        // The step that would follow is too small to matter.
-        const bool settled = !halves && std::abs(v.bend) * last * last <= 0.25 * enough * std::abs(v.slope);
+        // The step that would follow is too small to matter, by the bend here (which an inflection hides) and
+        // by how the steps have shrunk.
+        const bool bends_little = std::abs(v.bend) * last * last <= 0.25 * enough * std::abs(v.slope);
+        const bool settled = !halves && bends_little && last * last * last <= enough * before * before;
         if (last <= enough || settled || next == a || next == b) return next;
         x = next;
     }

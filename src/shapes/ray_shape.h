@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/shape.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rb {
@@ -18,23 +19,26 @@ public:
 
     bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const override {
         bool found = false;
-        self().each_crossing(ray, NearestCrossing{ray.t_min, ray.t_max, filter, nearest, found});
+        self().each_crossing(ray, NearestCrossing{ray.t_min, finite(ray.t_max), filter, nearest, found});
         return found;
     }
 
     bool any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& crossing) const override {
         bool found = false;
-        self().each_crossing(ray, FirstCrossing{ray.t_min, ray.t_max, filter, crossing, found});
+        self().each_crossing(ray, FirstCrossing{ray.t_min, finite(ray.t_max), filter, crossing, found});
         return found;
     }
 
 private:
+    /// Overflow is no place.
+    static double finite(double t) { return std::min(t, std::numeric_limits<double>::max()); }
+
     struct AllCrossings {
         const ShapeRay& ray;
         Crossings& out;
 
         void operator()(double t, uint32_t part, const Vec2& at) {
-            if (t > ray.t_min && t <= ray.t_max) out.add({t, part, at});
+            if (t > ray.t_min && t <= finite(ray.t_max)) out.add({t, part, at});
         }
         double reach() const { return ray.t_max; }
     };

@@ -172,16 +172,23 @@ TurnedPieces::Contact TurnedPieces::nearest_on(uint32_t index, const Vec2& p) co
         constexpr double near = 1e-6;
         if (glm::length(at - p) < near * std::abs(piece.y[2])) return settle(index, p, w, at);
     }
+    // Not from an end: on the axis the squared radius has no slope.
     double least = std::numeric_limits<double>::infinity();
     size_t first = 0;
-    for (size_t i = 0; i < sample_count; ++i) {
+    for (size_t i = 1; i + 1 < sample_count; ++i) {
         const Vec2 off = samples_[index][i] - p;
         const double dd = glm::dot(off, off);
         if (!(dd < least)) continue;
         least = dd;
         first = i;
     }
-    return settle(index, p, static_cast<double>(first) / (sample_count - 1), samples_[index][first]);
+    const double w = static_cast<double>(first) / (sample_count - 1);
+    Contact best = settle(index, p, w, samples_[index][first]);
+    for (const double end : {0.0, 1.0}) {
+        const double distance = glm::length(piece.at(end) - p);
+        if (distance < best.distance) best = {index, end, distance};
+    }
+    return best;
 }
 
 /// Gauss and Newton from w, whose point is `at`.

@@ -110,6 +110,9 @@ TEST(Roots, SignChangesObeyTheGivenEnds) {
     EXPECT_NEAR(two[1], 0.5, 1e-15);
     EXPECT_EQ(sign_changes<2>({1, -0.5, 0}, true, false, two), 1);
     EXPECT_NEAR(two[0], 0.5, 1e-15);
+    // Newton's first step starts from an inflection: v(w) = 0.2 of a Catmull-Rom piece, met at its end.
+    ASSERT_EQ(sign_changes<3>({-0.4, 0.6, 0.2, -0.4}, true, false, got), 1);
+    EXPECT_NEAR(got[0], 1.0, 1e-12);
     std::array<double, 6> six{};
     // x^6 - 2^-6
     EXPECT_EQ(sign_changes<6>({1, 0, 0, 0, 0, 0, -0.015625}, true, false, six), 1);

@@ -9,7 +9,7 @@ namespace rb {
 
 namespace {
 
-/// Beside the registry's examples; all about as large as the unit cube around the origin.
+/// Beside the registry's examples, without modifiers; about as large as the unit cube around the origin.
 constexpr std::array<std::string_view, 20> further{
     "cone { <0,-0.5,0>, 0.5, <0,0.5,0>, 0 }",
     "cone { <-0.3,-0.5,0>, 0.1, <0.2,0.5,0.1>, 0.4 }",
@@ -25,8 +25,8 @@ constexpr std::array<std::string_view, 20> further{
     "lathe { bezier_spline 8, <0,-0.5>, <0.6,-0.5>, <0.6,0>, <0.3,0>, <0.3,0>, <0,0>, <0.4,0.5>, <0,0.5> }",
     "lathe { quadratic_spline 6, <-0.1,-0.5>, <0,-0.5>, <0.5,-0.2>, <0.3,0.2>, <0.4,0.4>, <0,0.5> }",
     "sor { 5, <0,-0.8>, <0,-0.5>, <0.5,0>, <0,0.5>, <0,0.8> }",
-    "superellipsoid { <0.1, 0.1> scale 0.5 }",
-    "superellipsoid { <1.7, 0.5> scale 0.5 }",
+    "superellipsoid { <0.1, 0.1> }",
+    "superellipsoid { <1.7, 0.5> }",
     "blob { threshold 0.6 cylinder { <-0.4,0,0>, <0.4,0.1,0>, 0.4, 1 } sphere { <0,0.3,0>, 0.4, 1 } "
     "sphere { <0.1,-0.1,-0.3>, 0.3, -1 } }",
     "ovus { 0.3, 0.2 }",
@@ -34,9 +34,9 @@ constexpr std::array<std::string_view, 20> further{
     "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -0.34, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0.3, 0, 0, 0, "
     "0, 1, "
     "0, -0.34, 0, 0.0225> }",
-    "text { ttf \"timrom.ttf\" \"8g\" 0.3, 0 }",
+    "text { internal 2 \"8g\" 0.3, 0 }",
     "isosurface { function { x*x*x*x + y*y*y*y + z*z*z*z - 0.06 } contained_by { box { -0.5, 0.5 } } "
-    "max_gradient 4 }",
+    "max_gradient 4 all_intersections }",
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <mutex>
 #include <vector>
 
@@ -21,16 +22,19 @@ void Table::run(const std::string& what, uint64_t count, const std::function<Tri
     uint64_t failed = 0;
     uint64_t first_at = count;
     std::string first;
+    std::map<std::string, uint64_t> by_name;
     parallel_for((count + block - 1) / block, 0, [&](size_t b) {
         uint64_t block_tried = 0;
         uint64_t block_failed = 0;
         uint64_t block_first = count;
         std::string text;
+        std::map<std::string, uint64_t> names;
         for (uint64_t i = b * block; i < std::min((b + 1) * block, count); ++i) {
             Dice dice(i);
             Trial result = trial(dice);
             block_tried += result.counts ? 1 : 0;
             if (result.failure.empty()) continue;
+            ++names[result.failure.substr(0, result.failure.find(':'))];
             if (block_failed++ == 0) {
                 block_first = i;
                 text = std::move(result.failure);
@@ -39,11 +43,16 @@ void Table::run(const std::string& what, uint64_t count, const std::function<Tri
         const std::lock_guard guard(lock);
         tried += block_tried;
         failed += block_failed;
+        for (const auto& [name, n] : names) by_name[name] += n;
         if (block_first < first_at) {
             first_at = block_first;
             first = text;
         }
     });
+    if (by_name.size() > 1) {
+        first += "  all:";
+        for (const auto& [name, n] : by_name) first += fmt::format(" {} {}", name, n);
+    }
     print(what, tried, failed, first);
 }
 
