@@ -3,7 +3,7 @@
 set -euo pipefail
 build=(g++ cmake ninja-build libtbb-dev libfmt-dev libglm-dev libopenimageio-dev libpng-dev libfreetype-dev tao-pegtl-dev
        libcli11-dev nlohmann-json3-dev)
-test=(libgtest-dev ccache clang-format povray-includes povray-examples)
+test=(libgtest-dev libboost-dev ccache clang-format povray-includes povray-examples)
 
 packages=("${build[@]}")
 [ "${1:-build}" = test ] && packages+=("${test[@]}")

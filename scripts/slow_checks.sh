@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The longer checks, for before a change is called done: clang-tidy over all sources, image tests under the sanitizers, every
 # installed sample scene and include file read (scripts/check_samples.sh) and every scene rendered small (none may crash or
-# hang), and the contract with callers run against POV-Ray itself, where it is installed. Most of an hour on two cores.
+# hang), the numerical stress suite, and the contract with callers run against POV-Ray itself, where it is installed. Most of an hour on two cores.
 # usage: scripts/slow_checks.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -38,6 +38,9 @@ while read -r scene; do
         failed=1
     fi
 done < <(find "$examples" -name '*.pov' | sort)
+
+echo "== numerical stress, a hundredth of it"
+RB_STRESS_SHARE=0.01 scripts/stress.sh || failed=1
 
 echo "== clang-tidy"
 command -v clang-tidy > /dev/null || { echo "install clang-tidy"; exit 1; }

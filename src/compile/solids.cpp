@@ -39,6 +39,17 @@ bool SolidForest::inside_unclipped(uint32_t index, const Vec3& p) const {
     return false;
 }
 
+bool SolidForest::touches(uint32_t index, const Vec3& p, const Ray& ray) const {
+    if (inside(index, p)) return true;
+    // Coincident surfaces: the crossing's own rounding must not decide. Infinite siblings (planes and
+    // quadrics, complements) are many, far from p, and not worth two more tests.
+    if (!nodes[index].region.is_finite()) return false;
+    constexpr double rounding = 1e-12;
+    const double size = largest_magnitude(p) + largest_magnitude(p - ray.origin);
+    const Vec3 step = (rounding * size / largest_magnitude(ray.direction)) * ray.direction;
+    return inside(index, p - step) || inside(index, p + step);
+}
+
 bool SolidForest::counts(uint32_t leaf, const Vec3& p, const Ray& ray) const {
     for (uint32_t from = no_node, at = leaf; at != no_node; from = at, at = nodes[at].parent) {
         const SolidNode& node = nodes[at];
@@ -46,7 +57,7 @@ bool SolidForest::counts(uint32_t leaf, const Vec3& p, const Ray& ray) const {
         if (node.kind == SolidNode::Kind::merge || node.kind == SolidNode::Kind::intersection) {
             const bool wanted = node.kind == SolidNode::Kind::intersection;
             for (const uint32_t child : children_of(node)) {
-                if (child != from && inside(child, p) != wanted) return false;
+                if (child != from && touches(child, p, ray) != wanted) return false;
             }
         }
         if (!in_all(lists_of(node).clips, p)) return false;

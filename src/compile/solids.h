@@ -49,6 +49,8 @@ public:
     bool inside(uint32_t node, const Vec3& p) const;
     /// The same without the node's own clips.
     bool inside_unclipped(uint32_t node, const Vec3& p) const;
+    /// inside() for a computed crossing of `ray`: true, too, within rounding errors of the surface.
+    bool touches(uint32_t node, const Vec3& p, const Ray& ray) const;
     /// Does a hit at `p` on the surface of shape node `leaf` count, seen along `ray`?
     bool counts(uint32_t leaf, const Vec3& p, const Ray& ray) const;
 

@@ -1,119 +1,169 @@
-// Roots of polynomials of any degree; roots.cpp has the fast ones of low degree.
+// Roots of polynomials of any degree; roots.cpp has the fast ones of low degree. See solve_polynomial() in
+// roots.h.
 #include "math/roots.h"
+#include "math/twofold.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace rb {
 
 namespace {
 
-using Coefficients = std::array<double, most_degree + 1>;
+/// Power coefficients, lowest first, of a polynomial to be looked at over (0, 1].
+struct Powers {
+    std::array<double, most_degree + 1> c{};
+    size_t degree = 0;
+};
 
-class PolynomialRoots {
-public:
-    PolynomialRoots(std::span<const double> c, std::span<double> roots)
-        : c_(c), degree_(c.size() - 1), roots_(roots) {}
-
-    int run(double lo, double hi) {
-        const Coefficients b = bernstein(lo, hi);
-        search(b, lo, value(lo), hi, value(hi), depth);
-        return count_;
+/// The sign at x, from as many bits as it needs.
+bool is_negative_at(const Powers& p, double x) {
+    double f = p.c[p.degree];
+    double magnitude = std::abs(f);
+    for (size_t i = p.degree; i-- > 0;) {
+        f = f * x + p.c[i];
+        magnitude = magnitude * std::abs(x) + std::abs(p.c[i]);
     }
+    if (std::abs(f) > 2.0 * static_cast<double>(p.degree + 1) * 0x1p-53 * magnitude) return f < 0.0;
+    Twofold g(p.c[p.degree]);
+    for (size_t i = p.degree; i-- > 0;) g = g * Twofold(x) + Twofold(p.c[i]);
+    return is_negative(g);
+}
+
+/// Roots in [0, 1], isolated with numbers of type Real.
+template <class Real>
+class UnitRoots {
+public:
+    UnitRoots(const Powers& p, std::span<double> roots) : p_(p), roots_(roots) {
+        double magnitude = 0.0;
+        for (size_t i = 0; i <= p_.degree; ++i) magnitude += std::abs(p_.c[i]);
+        margin_ = 4.0 * static_cast<double>(p_.degree + 4) * unit_rounding * magnitude;
+    }
+
+    /// The roots between `from` and `to`, both in [0, 1]; false if the numbers are not precise enough to
+    /// tell.
+    bool search(double from, double to) {
+        Coefficients b = over_unit();
+        if (to < 1.0) b = cut(b, Real(to)).left;
+        if (from > 0.0) b = cut(b, Real(from) / to).right;
+        return search(b, end(from), end(to), most_levels);
+    }
+    /// All those in [0, 1] if there is surely none or one; else false.
+    bool search_few() {
+        const Signs found = signs(over_unit(), end(0.0), end(1.0));
+        if (!found.sure || found.changes > 1) return false;
+        if (found.changes == 1) add(root_between(end(0.0), end(1.0)));
+        return true;
+    }
+    size_t count() const { return count_; }
 
 private:
-    /// Halvings of the interval; what is closer together counts as one place.
-    static constexpr int depth = 44;
+    using Coefficients = std::array<Real, most_degree + 1>;
+    static constexpr bool is_double = std::is_same_v<Real, double>;
+    static constexpr double unit_rounding = is_double ? 0x1p-53 : 0x1p-103;
+    static constexpr int most_levels = is_double ? 40 : 100;
 
-    double value(double x) const {
-        double f = 0.0;
-        for (const double c : c_) f = f * x + c;
-        return f;
-    }
+    struct End {
+        double x;
+        bool negative;
+    };
 
-    /// Coefficients over [lo, hi]: Taylor shift to lo, scaled by the width. Sets the margin of their
-    /// rounding.
-    Coefficients bernstein(double lo, double hi) {
+    End end(double x) const { return {x, is_negative_at(p_, x)}; }
+
+    /// Bernstein coefficients over [0, 1]: of all intervals this one loses least, since the powers begin at
+    /// 0.
+    Coefficients over_unit() const {
         Coefficients b{};
-        double magnitude = 0.0;
-        double total = 0.0;
-        for (size_t i = 0; i <= degree_; ++i) {
-            b[i] = c_[degree_ - i];
-            magnitude = magnitude * std::abs(lo) + std::abs(c_[i]);
-        }
-        for (size_t k = 0; k < degree_; ++k) {
-            for (size_t i = degree_; i-- > k;) b[i] += lo * b[i + 1];
-        }
-        double power = 1.0;
         double choose = 1.0;
-        for (size_t k = 1; k <= degree_; ++k) {
-            power *= hi - lo;
-            choose *= static_cast<double>(degree_ + 1 - k) / static_cast<double>(k);
-            b[k] *= power;
-            total += std::abs(b[k]);
-            b[k] /= choose;
+        for (size_t k = 0; k <= p_.degree; ++k) {
+            b[k] = Real(p_.c[k]) / choose;
+            choose = choose * static_cast<double>(p_.degree - k) / static_cast<double>(k + 1);
         }
-        for (size_t k = 1; k <= degree_; ++k) {
-            for (size_t i = degree_; i >= k; --i) b[i] += b[i - 1];
+        for (size_t k = 1; k <= p_.degree; ++k) {
+            for (size_t i = p_.degree; i >= k; --i) b[i] = b[i] + b[i - 1];
         }
-        constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
-        margin_ = rounding * (magnitude + total);
         return b;
     }
 
-    void search(const Coefficients& b, double lo, double flo, double hi, double fhi, int levels) {
-        bool all_above = true;
-        bool all_below = true;
-        bool all_noise = true;
-        int changes = 0;
-        for (size_t i = 0; i <= degree_; ++i) {
-            all_above = all_above && b[i] > margin_;
-            all_below = all_below && b[i] < -margin_;
-            all_noise = all_noise && std::abs(b[i]) <= margin_;
-            if (i > 0 && (b[i] < 0.0) != (b[i - 1] < 0.0)) ++changes;
+    struct Parts {
+        Coefficients left;
+        Coefficients right;
+    };
+    /// De Casteljau at the share r.
+    Parts cut(const Coefficients& b, const Real& r) const {
+        const Real rest = Real(1.0) + Real(-1.0) * r;
+        return cut_by(b, [&](const Real& a, const Real& c) { return rest * a + r * c; });
+    }
+    Parts halve(const Coefficients& b) const {
+        return cut_by(b, [](const Real& a, const Real& c) { return half(a + c); });
+    }
+    template <class Mix>
+    Parts cut_by(const Coefficients& b, Mix&& mix) const {
+        Parts parts{{}, b};
+        parts.left[0] = b[0];
+        for (size_t k = 1; k <= p_.degree; ++k) {
+            for (size_t i = 0; i + k <= p_.degree; ++i)
+                parts.right[i] = mix(parts.right[i], parts.right[i + 1]);
+            parts.left[k] = parts.right[0];
         }
-        if (all_above || all_below) return;
-        const bool opposite = (flo < 0.0) != (fhi < 0.0);
-        if (opposite && changes == 1) {
-            add(root_between(lo, flo, hi, fhi));
-            return;
+        return parts;
+    }
+
+    struct Signs {
+        int changes;
+        bool sure;   ///< no sign but those of the ends could be rounding
+        bool noise;  ///< all could
+    };
+    Signs signs(const Coefficients& b, const End& lo, const End& hi) const {
+        Signs found{0, true, true};
+        bool negative = lo.negative;
+        for (size_t i = 1; i < p_.degree; ++i) {
+            const bool clear = size_of(b[i]) > margin_;
+            found.sure = found.sure && clear;
+            found.noise = found.noise && !clear;
+            found.changes += is_negative(b[i]) != negative ? 1 : 0;
+            negative = is_negative(b[i]);
         }
-        const double x = 0.5 * (lo + hi);
-        // Where rounding decides the signs, cutting on tells nothing.
-        if (all_noise || levels == 0 || !(x > lo && x < hi)) {
-            if (opposite) add(root_between(lo, flo, hi, fhi));
-            return;
+        found.changes += hi.negative != negative ? 1 : 0;
+        return found;
+    }
+
+    bool search(const Coefficients& b, const End& lo, const End& hi, int levels) {
+        const auto [changes, sure, noise] = signs(b, lo, hi);
+        if (sure && changes == 0) return true;
+        const double x = 0.5 * (lo.x + hi.x);
+        const bool cannot_tell = (noise && p_.degree > 1) || levels == 0 || !(x > lo.x && x < hi.x);
+        if (is_double && cannot_tell && !(sure && changes == 1)) return false;
+        if ((sure && changes == 1) || cannot_tell) {
+            if (lo.negative != hi.negative) add(root_between(lo, hi));
+            return true;
         }
-        Coefficients right = b;
-        Coefficients left{};
-        left[0] = b[0];
-        for (size_t k = 1; k <= degree_; ++k) {
-            for (size_t i = 0; i <= degree_ - k; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
-            left[k] = right[0];
-        }
-        const double f = value(x);
-        search(left, lo, flo, x, f, levels - 1);
-        search(right, x, f, hi, fhi, levels - 1);
+        const Parts parts = halve(b);
+        const End middle = end(x);
+        return search(parts.left, lo, middle, levels - 1) && search(parts.right, middle, hi, levels - 1);
     }
 
     /// Newton's iteration, kept in the bracket, to the last bits.
-    double root_between(double a, double fa, double b, double fb) const {
-        double x = a - fa * ((b - a) / (fb - fa));
-        if (!(x > a && x < b)) x = 0.5 * (a + b);
+    double root_between(const End& lo, const End& hi) const {
+        double a = lo.x;
+        double b = hi.x;
+        double x = 0.5 * (a + b);
         double before = b - a;
         constexpr int most = 200;
         for (int i = 0; i < most; ++i) {
-            double f = 0.0;
+            Real f(p_.c[p_.degree]);
             double slope = 0.0;
-            for (const double c : c_) {
-                slope = slope * x + f;
-                f = f * x + c;
+            for (size_t k = p_.degree; k-- > 0;) {
+                slope = slope * x + static_cast<double>(f);
+                f = f * Real(x) + Real(p_.c[k]);
             }
-            if (f == 0.0) return x;
-            ((f < 0.0) == (fa < 0.0) ? a : b) = x;
-            double next = x - f / slope;
+            const auto miss = static_cast<double>(f);
+            if (miss == 0.0) return x;
+            ((miss < 0.0) == lo.negative ? a : b) = x;
+            double next = x - miss / slope;
             if (!(next > a && next < b) || std::abs(next - x) > 0.5 * before) next = 0.5 * (a + b);
             before = std::abs(next - x);
             if (!(next > a && next < b) || before <= std::numeric_limits<double>::epsilon() * std::abs(next))
@@ -124,22 +174,107 @@ private:
     }
 
     void add(double x) {
-        if (count_ > 0 && x <= roots_[static_cast<size_t>(count_ - 1)]) return;
-        roots_[static_cast<size_t>(count_++)] = x;
+        if (count_ < roots_.size()) roots_[count_++] = x;
     }
 
-    std::span<const double> c_;
-    size_t degree_;
+    const Powers& p_;
     std::span<double> roots_;
-    int count_ = 0;
-    double margin_ = 0;
+    size_t count_ = 0;
+    double margin_ = 0;  ///< of the coefficients' rounding
 };
+
+size_t roots_between(const Powers& p, double from, double to, std::span<double> roots) {
+    UnitRoots<double> quick(p, roots);
+    if (quick.search(from, to)) return quick.count();
+    UnitRoots<Twofold> precise(p, roots);
+    precise.search(from, to);
+    return precise.count();
+}
+
+/// Roots of p between `from` and `to`, both in [0, 1], in any order. Octave after octave is scaled to end at
+/// 1 (exactly), so that small roots are seen as well as large ones.
+size_t unit_roots(Powers p, double from, double to, std::span<double> roots) {
+    size_t count = 0;
+    double scale = 1.0;
+    while (from < to) {
+        const size_t before = count;
+        if (from == 0.0 && to == 1.0) {
+            UnitRoots<double> few(p, roots.subspan(count));
+            if (few.search_few()) {
+                count += few.count();
+                for (size_t i = before; i < count; ++i) roots[i] *= scale;
+                break;
+            }
+        }
+        if (to > 0.5) count += roots_between(p, std::max(from, 0.5), to, roots.subspan(count));
+        for (size_t i = before; i < count; ++i) roots[i] *= scale;
+        double power = 1.0;
+        for (size_t i = 0; i <= p.degree; ++i) {
+            p.c[i] *= power;
+            power *= 0.5;
+        }
+        from *= 2.0;
+        to = std::min(2.0 * to, 1.0);
+        scale *= 0.5;
+        if (scale == 0.0) break;
+    }
+    return count;
+}
+
+/// p(sign 2^exponent u), divided by a power of two so that its largest coefficient is about 1: exact.
+Powers scaled(std::span<const double> c, double sign, int exponent) {
+    Powers out;
+    out.degree = c.size() - 1;
+    int largest = std::numeric_limits<int>::min();
+    for (size_t i = 0; i <= out.degree; ++i) {
+        const double a = c[out.degree - i];
+        if (a != 0.0) largest = std::max(largest, std::ilogb(a) + exponent * static_cast<int>(i));
+    }
+    double power = 1.0;
+    for (size_t i = 0; i <= out.degree; ++i) {
+        const double a = c[out.degree - i];
+        double small = std::ldexp(a, exponent * static_cast<int>(i) - largest);
+        // What underflows keeps its sign: at 0 the first of all decides.
+        if (small == 0.0 && a != 0.0) small = std::copysign(std::numeric_limits<double>::min(), a);
+        out.c[i] = power * small;
+        power *= sign;
+    }
+    return out;
+}
 
 }  // namespace
 
 int solve_polynomial(std::span<const double> c, double lo, double hi, std::span<double> roots) {
-    if (c.size() < 2 || !(lo < hi)) return 0;
-    return PolynomialRoots(c, roots).run(lo, hi);
+    while (!c.empty() && c.front() == 0.0) c = c.subspan(1);
+    size_t at_zero = 0;
+    while (!c.empty() && c.back() == 0.0) {
+        c = c.first(c.size() - 1);
+        ++at_zero;
+    }
+    if (c.empty() || !(lo < hi)) return 0;
+    const bool all_finite = std::ranges::all_of(c, [](double a) { return std::isfinite(a); });
+    if (!all_finite || !std::isfinite(lo) || !std::isfinite(hi)) return 0;
+    size_t count = 0;
+    std::array<double, most_degree> found{};
+    // Either side of 0 is scaled into [0, 1] by a power of two.
+    const auto side = [&](double sign, double near, double far) {
+        if (!(far > 0.0) || c.size() < 2) return size_t{0};
+        int exponent = std::ilogb(far);
+        if (std::ldexp(1.0, exponent) < far) ++exponent;
+        const Powers p = scaled(c, sign, exponent);
+        const double from = std::ldexp(std::max(near, 0.0), -exponent);
+        const size_t n = unit_roots(p, from, std::ldexp(far, -exponent), found);
+        for (size_t i = 0; i < n; ++i) found[i] = std::ldexp(found[i], exponent);
+        std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(n));
+        for (size_t i = 0; i < n; ++i) found[i] *= sign;
+        return n;
+    };
+    const size_t below = side(-1.0, -hi, -lo);
+    for (size_t i = below; i-- > 0;) roots[count++] = found[i];
+    if (at_zero % 2 == 1 && lo <= 0.0 && hi >= 0.0 && count < roots.size()) roots[count++] = 0.0;
+    const size_t above = side(1.0, lo, hi);
+    for (size_t i = 0; i < above && count < roots.size(); ++i) roots[count++] = found[i];
+    return static_cast<int>(count);
 }
 
 }  // namespace rb

@@ -1,5 +1,8 @@
 #include "math/roots.h"
 
+#include "math/bernstein.h"
+#include "math/bracketed_root.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,61 +19,6 @@ double discriminant(double a, double b, double c) {
     const double d = p - q;
     if (3.0 * std::abs(d) >= p + std::abs(q)) return d;
     return d + (std::fma(b, b, -p) - std::fma(a, c, -q));
-}
-
-template <size_t N>
-struct Value {
-    double f;
-    double slope;
-    double bend;  ///< half the second derivative
-};
-
-/// Horner for all three at once.
-template <size_t N>
-Value<N> value_at(const std::array<double, N + 1>& c, double x) {
-    double f = c[0];
-    double slope = 0.0;
-    double bend = 0.0;
-    for (size_t i = 1; i <= N; ++i) {
-        bend = bend * x + slope;
-        slope = slope * x + f;
-        f = f * x + c[i];
-    }
-    return {f, slope, bend};
-}
-
-/// The root between a and b, where the values `fa` and `fb` have opposite signs.
-template <size_t N>
-double root_between(const std::array<double, N + 1>& c, double a, double fa, double b, double fb) {
-    // Secant's first guess: pieces are monotone and mostly short.
-    double x = a - fa * ((b - a) / (fb - fa));
-    if (!(x > a && x < b)) x = 0.5 * (a + b);
-    constexpr double eps = std::numeric_limits<double>::epsilon();
-    const double least = 0.125 * (b - a);
-    double before = b - a;
-    double last = before;
-    constexpr int most = 100;
-    for (int i = 0; i < most; ++i) {
-        const Value<N> v = value_at<N>(c, x);
-        if (v.f == 0.0) return x;
-        if ((v.f < 0.0) == (fa < 0.0)) {
-            a = x;
-        } else {
-            b = x;
-        }
-        double next = x - v.f / v.slope;
-        // Newton may creep along a multiple root: then halving is faster.
-        const bool halves = !(next > a && next < b) || std::abs(next - x) > 0.5 * before;
-        if (halves) next = 0.5 * (a + b);
-        before = last;
-        last = std::abs(next - x);
-        const double enough = eps * std::max(std::abs(next), least);
-        // The step that would follow is too small to matter.
-        const bool settled = !halves && std::abs(v.bend) * last * last <= 0.25 * enough * std::abs(v.slope);
-        if (last <= enough || settled || next == a || next == b) return next;
-        x = next;
-    }
-    return x;
 }
 
 template <size_t N>
@@ -189,22 +137,6 @@ private:
         return {above == all || below == all ? 0 : 1, above + below == all && changes == 1};
     }
 
-    struct Halves {
-        Coefficients left;
-        Coefficients right;
-    };
-    static Halves halves(const Coefficients& b) {
-        // De Casteljau: `right` ends as the second half, its first entries on the way are the first half.
-        Halves cut;
-        cut.right = b;
-        cut.left[0] = b[0];
-        for (size_t k = 1; k <= N; ++k) {
-            for (size_t i = 0; i <= N - k; ++i) cut.right[i] = 0.5 * (cut.right[i] + cut.right[i + 1]);
-            cut.left[k] = cut.right[0];
-        }
-        return cut;
-    }
-
     void search(const Coefficients& b, const End& lo, const End& hi, int levels) {
         if (count_ >= most_) return;
         const Signs found = signs(b);
@@ -220,7 +152,7 @@ private:
             for (int i = 0; i < n; ++i) add(roots[i]);
             return;
         }
-        const Halves cut = halves(b);
+        const auto cut = halve(b);
         const End middle = end(x);
         search(cut.left, lo, middle, levels - 1);
         search(cut.right, middle, hi, levels - 1);
@@ -236,7 +168,7 @@ private:
         }
         const End middle = end(x);
         if ((middle.f < 0.0) != (lo.f < 0.0)) return true;
-        const Halves cut = halves(b);
+        const auto cut = halve(b);
         return changes_sign(cut.left, lo, middle, levels - 1) ||
                changes_sign(cut.right, middle, hi, levels - 1);
     }
@@ -300,48 +232,6 @@ bool changes_sign(const std::array<double, 4>& c, double lo, double hi) {
 bool changes_sign(const std::array<double, 5>& c, double lo, double hi) {
     return Isolation<4>(c, nullptr, 0).changes_sign(lo, hi);
 }
-
-template <size_t N>
-int sign_changes(const std::array<double, N + 1>& c, bool negative_at_0, bool negative_at_1,
-                 std::span<double, N> roots) {
-    double cuts[N + 1];
-    int pieces = 0;
-    if constexpr (N == 2) {
-        const double turn = -0.5 * c[1] / c[0];
-        if (turn > 0.0 && turn < 1.0) cuts[pieces++] = turn;
-    } else if constexpr (N > 2) {
-        std::array<double, N> derivative;
-        for (size_t i = 0; i < N; ++i) derivative[i] = static_cast<double>(N - i) * c[i];
-        pieces = roots_in<N - 1>(derivative, 0.0, 1.0, cuts);
-    }
-    cuts[pieces] = 1.0;
-    const auto signed_value = [](double f, bool negative) {
-        if (f != 0.0 && (f < 0.0) == negative) return f;
-        return negative ? -std::numeric_limits<double>::min() : std::numeric_limits<double>::min();
-    };
-    double a = 0.0;
-    double fa = signed_value(c[N], negative_at_0);
-    int n = 0;
-    for (int i = 0; i <= pieces; ++i) {
-        const bool last = i == pieces;
-        const double b = cuts[i];
-        double fb = value_at<N>(c, b).f;
-        fb = signed_value(fb, last ? negative_at_1 : fb < 0.0);
-        if ((fa < 0.0) != (fb < 0.0) && n < static_cast<int>(N)) {
-            roots[static_cast<size_t>(n++)] = root_between<N>(c, a, fa, b, fb);
-        }
-        a = b;
-        fa = fb;
-    }
-    return n;
-}
-
-template int sign_changes<1>(const std::array<double, 2>&, bool, bool, std::span<double, 1>);
-template int sign_changes<2>(const std::array<double, 3>&, bool, bool, std::span<double, 2>);
-template int sign_changes<3>(const std::array<double, 4>&, bool, bool, std::span<double, 3>);
-template int sign_changes<4>(const std::array<double, 5>&, bool, bool, std::span<double, 4>);
-template int sign_changes<5>(const std::array<double, 6>&, bool, bool, std::span<double, 5>);
-template int sign_changes<6>(const std::array<double, 7>&, bool, bool, std::span<double, 6>);
 
 double root_bound(std::span<const double> coefficients) {
     size_t first = 0;

@@ -19,9 +19,13 @@ int solve_cubic(const std::array<double, 4>& c, double lo, double hi, std::span<
 int solve_quartic(const std::array<double, 5>& c, double lo, double hi, std::span<double, 4> roots,
                   int most = 4);
 
-/// The same for any degree up to most_degree (highest power first); a place where the polynomial comes near
-/// zero without a change of sign is no root. `roots` has room for the degree. Double precision sets a limit:
-/// of 16 roots spread over [-1, 1] about half can be told.
+/// The places in [lo, hi] where a polynomial of any degree up to most_degree (highest power first) changes
+/// its sign, ascending; a place where it comes near zero without a change of sign is no root. `roots` has
+/// room for the degree. Each side of 0 is scaled to (0, 1], where power and Bernstein coefficients lose least
+/// to each other, and halved until the signs of the Bernstein coefficients change once or not at all
+/// (Descartes' rule; Eigenwillig 2008). What double precision cannot tell is told with twice as many bits
+/// (`Twofold`): then roots that the coefficients themselves tell apart are found, though a change of a
+/// coefficient's last bit may turn a close pair to none.
 constexpr size_t most_degree = 36;
 int solve_polynomial(std::span<const double> c, double lo, double hi, std::span<double> roots);
 

@@ -16,7 +16,7 @@ public:
         for (size_t i = 0; i < points.size(); ++i) {
             const Vec3& p = points[i];
             const double cell =
-                whole_part(p.x + epsilon) + whole_part(p.y + epsilon) + whole_part(p.z + epsilon);
+                quick_floor(p.x + epsilon) + quick_floor(p.y + epsilon) + quick_floor(p.z + epsilon);
             values[i] = is_odd(cell) ? 1.0 : 0.0;
         }
     }

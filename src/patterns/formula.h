@@ -13,7 +13,7 @@ namespace rb {
 
 inline double clamp01(double v) { return v < 0.0 ? 0.0 : (v > 1.0 ? 1.0 : v); }
 /// floor() without the call; a zero may lose its sign.
-inline double whole_part(double v) {
+inline double quick_floor(double v) {
     if (!(std::abs(v) < 1e15)) return std::floor(v);
     const auto whole = static_cast<double>(static_cast<int64_t>(v));
     return whole > v ? whole - 1.0 : whole;

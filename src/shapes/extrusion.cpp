@@ -128,6 +128,24 @@ bool Extrusion::clip(const Local& ray, Slab& slab) const {
     return true;
 }
 
+bool Extrusion::way_of(const Local& ray, const Slab& slab, double t_min, double t_max, FlatBox& way) const {
+    constexpr double rounding = 1e-12;
+    const double from = std::max(slab.t_in - rounding * std::abs(slab.t_in), t_min);
+    const double to = std::min(slab.t_out + rounding * std::abs(slab.t_out), t_max);
+    if (!(from <= to)) return false;
+    way = {Vec2{-inf}, Vec2{inf}};
+    // Through the apex the image runs to infinity and back.
+    if (swept_->conic && !(swept_->h0 > 0.0 || swept_->h1 < 0.0)) return true;
+    if (to == inf) return true;
+    const Vec2 a = flat(ray.o + from * ray.d);
+    const Vec2 b = flat(ray.o + to * ray.d);
+    const Vec2 size = glm::abs(Vec2{ray.o.x, ray.o.y}) + to * glm::abs(Vec2{ray.d.x, ray.d.y});
+    const double scale = swept_->conic ? std::min(std::abs(swept_->h0), std::abs(swept_->h1)) : 1.0;
+    const Vec2 pad = rounding * (glm::abs(a) + glm::abs(b) + size / scale);
+    way = {glm::min(a, b) - pad, glm::max(a, b) + pad};
+    return true;
+}
+
 /// A ray's image in the outlines' plane is a line, under the parallel and under the central projection alike.
 void Extrusion::cross(const Outline& outline, uint32_t first, const Local& ray,
                       const Outline::Contact* contact, Walls& walls) const {

@@ -41,12 +41,16 @@ public:
         const Local ray = put_on_parts(query);
         Slab slab;
         if (!clip(ray, slab)) return;
-        uint32_t first = first_wall;
+        FlatBox way;
+        if (!way_of(ray, slab, query.t_min, sink.reach(), way)) return;
+        uint32_t next = first_wall;
         for (uint32_t i = 0; i < swept_->outlines.size(); ++i) {
             const Outline& outline = swept_->outlines[i];
+            const uint32_t first = next;
+            next += static_cast<uint32_t>(outline.pieces().size());
+            if (!outline.box().overlaps(way)) continue;
             Walls walls;
             cross(outline, first, ray, ray.touched == i ? &ray.contact : nullptr, walls);
-            first += static_cast<uint32_t>(outline.pieces().size());
             each_interval(ray, walls, [&](const Crossing& enters, const Crossing& leaves) {
                 const bool cap_in = slab.t_in > enters.t;
                 const bool cap_out = slab.t_out < leaves.t;
@@ -113,6 +117,8 @@ private:
     void touch_known_part(uint32_t part, Local& ray) const;
     void touch_nearest(double within, Local& ray) const;
     bool clip(const Local& ray, Slab& slab) const;
+    /// The box of the ray's way through the slab in the outlines' plane; false if there is none.
+    bool way_of(const Local& ray, const Slab& slab, double t_min, double t_max, FlatBox& way) const;
     void cross(const Outline& outline, uint32_t first, const Local& ray, const Outline::Contact* contact,
                Walls& walls) const;
 

@@ -68,7 +68,9 @@ ShapePtr read(BlockReader& in) {
     std::vector<CurvePiece> pieces;
     for (size_t i = 0; i + rule.around <= points.size(); i += rule.step)
         pieces.push_back(spline_piece(kind, &points[i]));
-    for (const CurvePiece& piece : pieces) curve->pieces.push_back(turned(piece));
+    std::vector<TurnedPiece> turned_pieces;
+    for (const CurvePiece& piece : pieces) turned_pieces.push_back(turned(piece));
+    curve->pieces = TurnedPieces(std::move(turned_pieces));
     curve->outline = Outline(std::move(pieces));
     curve->least_radius = std::max(curve->outline.lo().x, 0.0);
     if (kind == OutlineSpline::bezier) {

@@ -10,9 +10,9 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// Includes the extremes between the ends.
-void include_piece(const CurvePiece& piece, Vec2& lo, Vec2& hi) {
-    lo = glm::min(lo, glm::min(piece.start(), piece.end()));
-    hi = glm::max(hi, glm::max(piece.start(), piece.end()));
+void include_piece(const CurvePiece& piece, FlatBox& box) {
+    box.include(piece.start());
+    box.include(piece.end());
     if (piece.degree == 1) return;
     for (int axis = 0; axis < 2; ++axis) {
         std::array<double, 4> b{};
@@ -24,20 +24,16 @@ void include_piece(const CurvePiece& piece, Vec2& lo, Vec2& hi) {
             const double w = turns[static_cast<size_t>(i)];
             if (!(w > 0.0 && w < 1.0)) continue;
             const double x = piece.at(w)[axis];
-            lo[axis] = std::min(lo[axis], x);
-            hi[axis] = std::max(hi[axis], x);
+            box.lo[axis] = std::min(box.lo[axis], x);
+            box.hi[axis] = std::max(box.hi[axis], x);
         }
     }
 }
 
-double box_distance(const CurvePiece& piece, const Vec2& p) {
-    Vec2 lo = piece.start();
-    Vec2 hi = lo;
-    for (int i = 1; i <= piece.degree; ++i) {
-        lo = glm::min(lo, piece.control[static_cast<size_t>(i)]);
-        hi = glm::max(hi, piece.control[static_cast<size_t>(i)]);
-    }
-    return glm::length(glm::max(glm::max(lo - p, p - hi), Vec2{0.0}));
+FlatBox hull_of(const CurvePiece& piece) {
+    FlatBox box;
+    for (int i = 0; i <= piece.degree; ++i) box.include(piece.control[static_cast<size_t>(i)]);
+    return box;
 }
 
 /// Bound on the distance between a piece and its chords when it is cut into n equal parts: |second
@@ -111,50 +107,67 @@ CurvePiece spline_piece(OutlineSpline kind, const Vec2* p) {
 
 Outline::Outline(std::vector<CurvePiece> pieces) : pieces_(std::move(pieces)) {
     if (pieces_.empty()) return;
-    lo_ = Vec2{inf};
-    hi_ = Vec2{-inf};
-    for (const CurvePiece& piece : pieces_) include_piece(piece, lo_, hi_);
+    box_ = {};
+    std::vector<FlatBox> hulls;
+    for (const CurvePiece& piece : pieces_) {
+        include_piece(piece, box_);
+        hulls.push_back(hull_of(piece));
+    }
+    tree_ = RangeTree<FlatBox>(hulls);
+    if (std::ranges::all_of(pieces_, [](const CurvePiece& piece) { return piece.degree == 1; })) return;
+    samples_.resize(pieces_.size());
+    for (size_t i = 0; i < pieces_.size(); ++i) {
+        for (size_t k = 0; k < sample_count; ++k)
+            samples_[i][k] = pieces_[i].at(static_cast<double>(k) / (sample_count - 1));
+    }
 }
 
 Outline::Contact Outline::nearest_on(uint32_t index, const Vec2& p) const {
     const CurvePiece& piece = pieces_[index];
-    const auto distance_at = [&](double w) { return glm::length(piece.at(w) - p); };
-    Contact best{index, 0.0, distance_at(0.0)};
-    const auto offer = [&](double w) {
-        const double d = distance_at(w);
-        if (d < best.distance) best = {index, w, d};
-    };
-    offer(1.0);
     if (piece.degree == 1) {
         const Vec2 along = piece.end() - piece.start();
         const double length = glm::dot(along, along);
-        if (length > 0.0) offer(std::clamp(glm::dot(p - piece.start(), along) / length, 0.0, 1.0));
-        return best;
+        double w = 0.0;
+        if (length > 0.0) w = std::clamp(glm::dot(p - piece.start(), along) / length, 0.0, 1.0);
+        return {index, w, glm::length(piece.at(w) - p)};
     }
-    constexpr int samples = 16;
-    for (int i = 1; i < samples; ++i) offer(static_cast<double>(i) / samples);
+    double least = inf;
+    size_t first = 0;
+    for (size_t i = 0; i < sample_count; ++i) {
+        const Vec2 off = samples_[index][i] - p;
+        const double dd = glm::dot(off, off);
+        if (!(dd < least)) continue;
+        least = dd;
+        first = i;
+    }
+    Contact best{index, static_cast<double>(first) / (sample_count - 1), std::sqrt(least)};
     // Gauss and Newton: the point lies on the curve, or so near that its second derivative does not matter.
     double w = best.w;
+    Vec2 at = samples_[index][first];
     for (int i = 0; i < 20; ++i) {
         const Vec2 along = piece.slope(w);
         const double length = glm::dot(along, along);
         if (!(length > 0.0)) break;
-        const double next = std::clamp(w + glm::dot(p - piece.at(w), along) / length, 0.0, 1.0);
+        const double next = std::clamp(w + glm::dot(p - at, along) / length, 0.0, 1.0);
         if (next == w) break;
+        constexpr double settled = 1e-9;
+        const bool last = std::abs(next - w) <= settled;
         w = next;
-        offer(w);
+        at = piece.at(w);
+        const double d = glm::length(at - p);
+        if (d < best.distance) best = {index, w, d};
+        if (last) break;
     }
     return best;
 }
 
 Outline::Contact Outline::nearest(const Vec2& p, double within) const {
     Contact best{0, 0.0, within};
-    if (glm::length(glm::max(glm::max(lo_ - p, p - hi_), Vec2{0.0})) >= within) return best;
-    for (uint32_t i = 0; i < pieces_.size(); ++i) {
-        if (box_distance(pieces_[i], p) >= best.distance) continue;
-        const Contact found = nearest_on(i, p);
-        if (found.distance < best.distance) best = found;
-    }
+    tree_.visit([&](const FlatBox& box) { return box.distance(p) < best.distance; },
+                [&](uint32_t piece) {
+                    const Contact found = nearest_on(piece, p);
+                    if (found.distance < best.distance) best = found;
+                });
     return best;
 }
 
@@ -196,7 +209,7 @@ int Outline::roots(const PlaneLine& line, bool zero_is_negative, uint32_t index,
 }
 
 bool Outline::contains(const Vec2& p) const {
-    if (p.x < lo_.x || p.x > hi_.x || p.y < lo_.y || p.y > hi_.y) return false;
+    if (p.x < lo().x || p.x > hi().x || p.y < lo().y || p.y > hi().y) return false;
     bool in = false;
     crossings({0.0, 1.0, -p.y}, nullptr, [&](uint32_t piece, double w) {
         if (pieces_[piece].at(w).x >= p.x) in = !in;

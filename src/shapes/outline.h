@@ -1,4 +1,5 @@
 #pragma once
+#include "math/range_tree.h"
 #include "math/roots.h"
 #include "math/vec.h"
 
@@ -41,6 +42,40 @@ struct PlaneLine {
     double side(const Vec2& p) const { return a * p.x + b * p.y + c; }
 };
 
+/// A box in a plane.
+struct FlatBox {
+    Vec2 lo{std::numeric_limits<double>::infinity()};
+    Vec2 hi{-std::numeric_limits<double>::infinity()};
+
+    void include(const Vec2& p) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    void include(const FlatBox& box) {
+        lo = glm::min(lo, box.lo);
+        hi = glm::max(hi, box.hi);
+    }
+    double distance(const Vec2& p) const {
+        return glm::length(glm::max(glm::max(lo - p, p - hi), Vec2{0.0}));
+    }
+    bool overlaps(const FlatBox& box) const {
+        return lo.x <= box.hi.x && lo.y <= box.hi.y && box.lo.x <= hi.x && box.lo.y <= hi.y;
+    }
+    /// True only if the line passes it by, rounding errors included.
+    bool is_missed_by(const PlaneLine& line) const {
+        const double x0 = line.a * lo.x;
+        const double x1 = line.a * hi.x;
+        const double y0 = line.b * lo.y;
+        const double y1 = line.b * hi.y;
+        const double least = std::min(x0, x1) + std::min(y0, y1) + line.c;
+        const double most = std::max(x0, x1) + std::max(y0, y1) + line.c;
+        constexpr double rounding = 1e-14;
+        const double margin =
+            rounding * (std::abs(x0) + std::abs(x1) + std::abs(y0) + std::abs(y1) + std::abs(line.c));
+        return least > margin || most < -margin;
+    }
+};
+
 /// A region of the plane: what closed curves enclose by the even-odd rule. The pieces of a curve follow each
 /// other, and where one ends the next begins with the same numbers.
 class Outline {
@@ -49,8 +84,9 @@ public:
     explicit Outline(std::vector<CurvePiece> pieces);
 
     const std::vector<CurvePiece>& pieces() const { return pieces_; }
-    const Vec2& lo() const { return lo_; }  ///< tight box
-    const Vec2& hi() const { return hi_; }
+    const Vec2& lo() const { return box_.lo; }  ///< tight box
+    const Vec2& hi() const { return box_.hi; }
+    const FlatBox& box() const { return box_; }
 
     /// A point on a piece that a line is known to pass through.
     struct Contact {
@@ -67,16 +103,17 @@ public:
     /// `contact`, which is left out (may be null).
     template <class Sink>
     void crossings(const PlaneLine& line, const Contact* contact, Sink&& sink) const {
-        if (misses_box(line)) return;
+        if (box_.is_missed_by(line)) return;
         // A line that runs along a straight edge meets the region, but not one along y (as measured).
         const bool touch_counts = line.b != 0.0;
-        const bool zero_is_negative = (line.side(0.5 * (lo_ + hi_)) >= 0.0) == touch_counts;
-        for (uint32_t i = 0; i < pieces_.size(); ++i) {
-            std::array<double, 3> w;
-            const int n =
-                roots(line, zero_is_negative, i, contact && contact->piece == i ? contact : nullptr, w);
-            for (int k = 0; k < n; ++k) sink(i, w[static_cast<size_t>(k)]);
-        }
+        const bool zero_is_negative = (line.side(0.5 * (lo() + hi())) >= 0.0) == touch_counts;
+        tree_.visit([&](const FlatBox& box) { return !box.is_missed_by(line); },
+                    [&](uint32_t i) {
+                        const bool here = contact && contact->piece == i;
+                        std::array<double, 3> w;
+                        const int n = roots(line, zero_is_negative, i, here ? contact : nullptr, w);
+                        for (int k = 0; k < n; ++k) sink(i, w[static_cast<size_t>(k)]);
+                    });
     }
 
     /// Points on the boundary belong to the region on the side of smaller x (spec: geometry 13.4).
@@ -86,24 +123,15 @@ public:
     std::vector<std::vector<Vec2>> flattened(double tolerance) const;
 
 private:
-    bool misses_box(const PlaneLine& line) const {
-        const double x0 = line.a * lo_.x;
-        const double x1 = line.a * hi_.x;
-        const double y0 = line.b * lo_.y;
-        const double y1 = line.b * hi_.y;
-        const double least = std::min(x0, x1) + std::min(y0, y1) + line.c;
-        const double most = std::max(x0, x1) + std::max(y0, y1) + line.c;
-        constexpr double rounding = 1e-14;
-        const double margin =
-            rounding * (std::abs(x0) + std::abs(x1) + std::abs(y0) + std::abs(y1) + std::abs(line.c));
-        return least > margin || most < -margin;
-    }
+    static constexpr size_t sample_count = 17;
+
     int roots(const PlaneLine& line, bool zero_is_negative, uint32_t piece, const Contact* contact,
               std::array<double, 3>& w) const;
 
     std::vector<CurvePiece> pieces_;
-    Vec2 lo_{0.0};
-    Vec2 hi_{0.0};
+    std::vector<std::array<Vec2, sample_count>> samples_;  ///< empty if all pieces are straight
+    RangeTree<FlatBox> tree_;
+    FlatBox box_{Vec2{0.0}, Vec2{0.0}};
 };
 
 }  // namespace rb

@@ -1,37 +1,81 @@
 #pragma once
 #include "scene/shape.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rb {
 
-/// Makes both crossing queries of a shape from one function of `S`:
+/// Makes all crossing queries of a shape from one function of `S`:
 ///     template <class Sink> void each_crossing(const ShapeRay& ray, Sink&& sink) const;
-/// which hands every crossing, in any order and without regard to t_min and t_max, to sink(t, part, at).
+/// which hands every crossing, in any order and without regard to t_min and t_max, to sink(t, part, at). It
+/// may leave out those beyond sink.reach().
 template <class S>
 class RayShape : public Shape {
 public:
     void crossings(const ShapeRay& ray, Crossings& out) const final {
-        self().each_crossing(ray, [&](double t, uint32_t part, const Vec2& at) {
-            if (t > ray.t_min && t <= ray.t_max) out.add({t, part, at});
-        });
+        self().each_crossing(ray, AllCrossings{ray, out});
     }
 
     bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const override {
         bool found = false;
-        double best = ray.t_max;
-        self().each_crossing(ray, [&](double t, uint32_t part, const Vec2& at) {
-            if (!(t > ray.t_min && t <= best)) return;
+        self().each_crossing(ray, NearestCrossing{ray.t_min, finite(ray.t_max), filter, nearest, found});
+        return found;
+    }
+
+    bool any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& crossing) const override {
+        bool found = false;
+        self().each_crossing(ray, FirstCrossing{ray.t_min, finite(ray.t_max), filter, crossing, found});
+        return found;
+    }
+
+private:
+    /// Overflow is no place.
+    static double finite(double t) { return std::min(t, std::numeric_limits<double>::max()); }
+
+    struct AllCrossings {
+        const ShapeRay& ray;
+        Crossings& out;
+
+        void operator()(double t, uint32_t part, const Vec2& at) {
+            if (t > ray.t_min && t <= finite(ray.t_max)) out.add({t, part, at});
+        }
+        double reach() const { return ray.t_max; }
+    };
+
+    struct NearestCrossing {
+        double t_min;
+        double best;
+        const CrossingFilter* filter;
+        Crossing& nearest;
+        bool& found;
+
+        void operator()(double t, uint32_t part, const Vec2& at) {
+            if (!(t > t_min && t <= best)) return;
             const Crossing crossing{t, part, at};
             if (filter && !filter->counts(crossing)) return;
             nearest = crossing;
             best = t;
             found = true;
-        });
-        return found;
-    }
+        }
+        double reach() const { return best; }
+    };
 
-private:
+    struct FirstCrossing {
+        double t_min;
+        double t_max;
+        const CrossingFilter* filter;
+        Crossing& crossing;
+        bool& found;
+
+        void operator()(double t, uint32_t part, const Vec2& at) {
+            if (found || !(t > t_min && t <= t_max)) return;
+            crossing = {t, part, at};
+            found = !filter || filter->counts(crossing);
+        }
+        double reach() const { return found ? -std::numeric_limits<double>::infinity() : t_max; }
+    };
+
     const S& self() const { return static_cast<const S&>(*this); }
 };
 

@@ -38,7 +38,9 @@ ShapePtr read(BlockReader& in) {
     }
     auto curve = std::make_shared<TurnedCurve>();
     curve->keyword = "sor";
-    for (size_t i = 0; i + 3 < p.size(); ++i) curve->pieces.push_back(piece_between(&p[i]));
+    std::vector<TurnedPiece> pieces;
+    for (size_t i = 0; i + 3 < p.size(); ++i) pieces.push_back(piece_between(&p[i]));
+    curve->pieces = TurnedPieces(std::move(pieces));
     curve->caps = !in.take_word("open");
     return std::make_shared<TurnedShape>(std::move(curve), Transform{});
 }

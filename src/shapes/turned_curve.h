@@ -3,28 +3,16 @@
 #include "scene/shape.h"
 #include "shapes/outline.h"
 #include "shapes/ray_shape.h"
+#include "shapes/turned_pieces.h"
 
 #include <memory>
 
 namespace rb {
 
-/// One piece of a curve that is turned about the y axis: for w in [0,1] the height y(w) and the squared
-/// radius s(w), highest power first.
-struct TurnedPiece {
-    std::array<double, 4> y{};
-    std::array<double, 7> s{};
-    int degree = 6;  ///< of what a ray makes of it: the larger of 2 deg y and deg s
-    Vec2 start;      ///< radius and height of the ends
-    Vec2 end;
-
-    Vec2 at(double w) const;     ///< radius and height
-    Vec2 slope(double w) const;  ///< derivatives of half the squared radius and of the height
-};
-
 /// What lathe and sor share.
 struct TurnedCurve {
     std::string_view keyword;
-    std::vector<TurnedPiece> pieces;
+    TurnedPieces pieces;
     Outline outline;  ///< lathe: the curve over (radius, height), whose odd side is the inside; sor: empty
     double least_radius = 0;  ///< nothing is inside below it (language rule)
     bool caps = false;        ///< sor: discs at both ends
@@ -43,16 +31,16 @@ public:
 
     template <class Sink>
     void each_crossing(const ShapeRay& query, Sink&& sink) const {
-        Line line;
-        if (!set_up(query, line)) return;
-        for (uint32_t i = 0; i < curve_->pieces.size(); ++i) {
-            std::array<Hit, 12> hits;
-            const int n = cross(line, i, hits);
+        const Line line = set_up(query);
+        const auto reach = [&] { return sink.reach(); };
+        curve_->pieces.visit(line, query.t_min, reach, [&](uint32_t i) {
+            std::array<TurnedPieces::Hit, 12> hits;
+            const int n = curve_->pieces.cross(line, i, line.part == i ? line.w : -1.0, hits);
             for (int k = 0; k < n; ++k) {
-                const Hit& hit = hits[static_cast<size_t>(k)];
+                const TurnedPieces::Hit& hit = hits[static_cast<size_t>(k)];
                 sink(hit.t, i, Vec2{hit.w, 0.0});
             }
-        }
+        });
         if (!curve_->caps) return;
         for (const uint32_t cap : {base_cap(), base_cap() + 1}) {
             double t = 0;
@@ -71,42 +59,23 @@ public:
 private:
     static constexpr uint32_t none = std::numeric_limits<uint32_t>::max();
 
-    /// The ray in the frame. The squared distance from the axis at height y is (across (y - y_near)^2) / dy^2
-    /// + nearest, or across (t - t_near)^2 + nearest.
-    struct Line {
-        Vec3 o;
-        Vec3 d;
-        double across = 0;
-        double t_near = 0;
-        double y_near = 0;
-        double nearest = 0;
-        bool level = false;    ///< so nearly level that the height says little about t
+    /// The ray in the frame.
+    struct Line : TurnedLine {
         uint32_t part = none;  ///< where it starts
         double w = 0;
     };
-    struct Hit {
-        double t = 0;
-        double w = 0;
-    };
 
-    uint32_t base_cap() const { return static_cast<uint32_t>(curve_->pieces.size()); }
+    const std::vector<TurnedPiece>& pieces() const { return curve_->pieces.all(); }
+    const TurnedPiece& piece(uint32_t part) const { return pieces()[part]; }
+    uint32_t base_cap() const { return static_cast<uint32_t>(pieces().size()); }
     const Vec2& cap_rim(uint32_t cap) const {
-        return cap == base_cap() ? curve_->pieces.front().start : curve_->pieces.back().end;
+        return cap == base_cap() ? pieces().front().start : pieces().back().end;
     }
-    bool set_up(const ShapeRay& query, Line& line) const;
+    Line set_up(const ShapeRay& query) const;
     void put_on_part(const ShapeRay& query, Line& line) const;
-    double nearest_part(const Vec3& o, Line& line) const;
-    double nearest_on(const TurnedPiece& piece, const Vec2& p, double& w) const;
+    void put_on_nearest(double within, Line& line) const;
     double parameter_at(const Vec3& local, const Crossing& at) const;
-    int cross(const Line& line, uint32_t piece, std::array<Hit, 12>& hits) const;
-    int cross_level(const Line& line, uint32_t piece, std::array<Hit, 12>& hits) const;
     bool meets_cap(const Line& line, uint32_t cap, double& t) const;
-    /// Negative where the line at the height of the point `p` of the curve is nearer to the axis than p.
-    double side(const Line& line, const Vec2& p) const {
-        const double up = p.y - line.y_near;
-        return line.across * up * up + line.d.y * line.d.y * (line.nearest - p.x * p.x);
-    }
-    double t_at(const Line& line, const Vec2& p) const;
 
     std::shared_ptr<const TurnedCurve> curve_;
     Transform object_from_local_;

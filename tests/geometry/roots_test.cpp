@@ -110,6 +110,9 @@ TEST(Roots, SignChangesObeyTheGivenEnds) {
     EXPECT_NEAR(two[1], 0.5, 1e-15);
     EXPECT_EQ(sign_changes<2>({1, -0.5, 0}, true, false, two), 1);
     EXPECT_NEAR(two[0], 0.5, 1e-15);
+    // Newton's first step starts from an inflection: v(w) = 0.2 of a Catmull-Rom piece, met at its end.
+    ASSERT_EQ(sign_changes<3>({-0.4, 0.6, 0.2, -0.4}, true, false, got), 1);
+    EXPECT_NEAR(got[0], 1.0, 1e-12);
     std::array<double, 6> six{};
     // x^6 - 2^-6
     EXPECT_EQ(sign_changes<6>({1, 0, 0, 0, 0, 0, -0.015625}, true, false, six), 1);
@@ -146,6 +149,66 @@ TEST(Roots, PolynomialsOfAnyDegreeFindAllTheirRoots) {
             for (size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(roots[i], wanted[i], 1e-5);
         }
     }
+}
+
+/// Coefficients, highest first, of the polynomial with these roots.
+std::vector<double> with_roots(const std::vector<double>& roots) {
+    std::vector<double> c{1.0};
+    for (const double r : roots) {
+        c.push_back(0.0);
+        for (size_t i = c.size() - 1; i > 0; --i) c[i] -= r * c[i - 1];
+    }
+    return c;
+}
+
+TEST(Roots, ChebyshevPolynomialsKeepAllRoots) {
+    for (const size_t degree : {8u, 16u, 24u, 32u}) {
+        std::vector<double> before{1.0};
+        std::vector<double> c{1.0, 0.0};
+        for (size_t n = 1; n < degree; ++n) {
+            std::vector<double> next(n + 2, 0.0);
+            for (size_t i = 0; i < c.size(); ++i) next[i] += 2.0 * c[i];
+            for (size_t i = 0; i < before.size(); ++i) next[i + 2] -= before[i];
+            before = c;
+            c = next;
+        }
+        std::vector<double> roots(degree);
+        ASSERT_EQ(solve_polynomial(c, -1, 1, roots), static_cast<int>(degree));
+        for (size_t k = 0; k < degree; ++k) {
+            const double angle = 3.14159265358979323846 * (static_cast<double>(degree - k) - 0.5);
+            EXPECT_NEAR(roots[k], std::cos(angle / static_cast<double>(degree)),
+                        1e-15 * std::pow(2.5, degree));
+        }
+    }
+}
+
+TEST(Roots, WilkinsonsPolynomialsKeepAllRoots) {
+    // Up to 1...16 the coefficients are whole numbers below 2^53, so that the roots are known.
+    for (const size_t degree : {10u, 16u}) {
+        std::vector<double> wanted(degree);
+        for (size_t i = 0; i < degree; ++i) wanted[i] = static_cast<double>(i + 1);
+        std::vector<double> roots(degree);
+        ASSERT_EQ(solve_polynomial(with_roots(wanted), 0.5, 40, roots), static_cast<int>(degree));
+        for (size_t i = 0; i < degree; ++i) EXPECT_NEAR(roots[i], wanted[i], 1e-6);
+    }
+}
+
+TEST(Roots, AnyDegreeObeysSignsAtZeroAndHugeRatios) {
+    std::vector<double> roots(10);
+    // x^3 changes its sign at 0, x^2 does not; a double root is none.
+    EXPECT_EQ(solve_polynomial(std::vector<double>{1, 0, 0, 0}, -1, 1, roots), 1);
+    EXPECT_EQ(roots[0], 0.0);
+    EXPECT_EQ(solve_polynomial(std::vector<double>{1, 0, 0}, -1, 1, roots), 0);
+    EXPECT_EQ(solve_polynomial(std::vector<double>{1, -1, 0.25}, -1, 1, roots), 0);
+    // x^10 - 1e250
+    EXPECT_EQ(solve_polynomial(std::vector<double>{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1e250}, -1e26, 1e26, roots),
+              2);
+    EXPECT_NEAR(roots[1], 1e25, 1e10);
+    // (x - 1e-9)(x - 1)(x - 1e9)
+    ASSERT_EQ(solve_polynomial(std::vector<double>{1, -1e9 - 1 - 1e-9, 1e9 + 1 + 1e-9, -1}, 0, 2e9, roots),
+              3);
+    EXPECT_NEAR(roots[0], 1e-9, 1e-23);
+    EXPECT_NEAR(roots[1], 1.0, 1e-8);
 }
 
 }  // namespace

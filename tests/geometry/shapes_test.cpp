@@ -1,60 +1,23 @@
 // What must hold for every shape of the registry, each on its own example statement.
 #include "compile/geometry.h"
-#include "shapes/registry.h"
-#include "tests/geometry/statement.h"
+#include "tests/geometry/shape_cases.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <random>
 
 #include <gtest/gtest.h>
 
 namespace rb {
 namespace {
 
-ObjectPtr placed(std::string_view text, const Transform& map) {
-    auto object = std::make_shared<Object>(*object_from(text));
-    transform_object(*object, map);
-    return object;
-}
-
-World world_of(const std::vector<ObjectPtr>& objects, bool brute_force = false) {
-    Scene scene;
-    scene.objects = objects;
-    scene.default_texture = plain_texture();
-    Diagnostics diagnostics;
-    CompileOptions options;
-    options.brute_force = brute_force;
-    return compile(scene, options, diagnostics);
-}
-
-class Dice {
-public:
-    explicit Dice(unsigned seed) : random_(seed) {}
-    double unit() { return unit_(random_); }
-    Vec3 direction() { return glm::normalize(Vec3{normal_(random_), normal_(random_), normal_(random_)}); }
-    Vec3 point(double half) { return Vec3{2 * unit() - 1, 2 * unit() - 1, 2 * unit() - 1} * half; }
-
-private:
-    std::mt19937 random_;
-    std::uniform_real_distribution<double> unit_{0, 1};
-    std::normal_distribution<double> normal_;
-};
-
 class EveryShape : public testing::TestWithParam<const ShapeKind*> {
 protected:
     const ShapeKind& kind() const { return *GetParam(); }
-    ShapePtr shape() const { return std::get<ShapePtr>(object_from(kind().example)->geometry); }
+    ShapePtr shape() const { return shape_from(kind().example); }
     bool infinite() const { return !shape()->bounds().is_finite(); }
 };
-
-/// False for shapes whose normals follow the order of their points, as the language has it.
-bool has_outward_normals(const Shape& s) {
-    constexpr std::array<std::string_view, 2> free{"prism", "text"};
-    return std::ranges::find(free, s.keyword()) == free.end();
-}
 
 /// A ray from afar towards the shape (or to the plane), and a hit on it.
 bool random_hit(const World& world, Dice& dice, double scale, const Vec3& offset, Hit& hit) {
@@ -75,7 +38,7 @@ TEST_P(EveryShape, HitsLieOnTheSurfaceWithUnitNormals) {
         if (!random_hit(world, dice, 1, Vec3{0.0}, hit)) continue;
         ++hits;
         EXPECT_NEAR(glm::length(hit.normal), 1.0, 1e-12);
-        if (s->is_patch() || s->keyword() == "disc") continue;
+        if (!bounds_a_body(*s)) continue;
         constexpr double step = 1e-6;
         const bool before = s->inside(hit.point + step * hit.normal);
         EXPECT_NE(before, s->inside(hit.point - step * hit.normal));
@@ -224,7 +187,7 @@ void expect_no_self_hits(const World& world, const Standing& standing, const Vec
 
 TEST_P(EveryShape, NoSelfHitsAtAnyScale) {
     const ShapePtr s = shape();
-    const bool solid = !s->is_patch() && !infinite() && s->keyword() != "disc";
+    const bool solid = bounds_a_body(*s) && !infinite();
     const Restart rule = restart_of(*shape());
     const Transform turn = then(Transform::scaling({1, 0.8, 1.1}), Transform::rotation_deg({20, 30, 40}));
     for (const Transform& base : {Transform{}, turn}) {
@@ -314,7 +277,7 @@ TEST_P(EveryShape, TessellationIsClosedOutwardAndWithinItsBound) {
         ASSERT_TRUE(mesh.has_value());
         EXPECT_FALSE(mesh->faces.empty());
         EXPECT_LE(mesh->error, 1.01 * tolerance + 1e-6);
-        const bool solid = !s->is_patch() && s->keyword() != "disc";
+        const bool solid = bounds_a_body(*s);
         std::map<std::pair<uint32_t, uint32_t>, int> edges;
         double volume = 0;
         for (const auto& f : mesh->faces) {
@@ -366,8 +329,7 @@ TEST_P(EveryShape, NonsenseArgumentsAreRefusedOrHarmless) {
 std::vector<const ShapeKind*> solid_kinds() {
     std::vector<const ShapeKind*> kinds;
     for (const ShapeKind* kind : all_shapes()) {
-        const auto shape = std::get<ShapePtr>(object_from(kind->example)->geometry);
-        if (!shape->is_patch() && kind->keyword != "disc") kinds.push_back(kind);
+        if (bounds_a_body(*shape_from(kind->example))) kinds.push_back(kind);
     }
     return kinds;
 }

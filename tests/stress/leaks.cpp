@@ -1,0 +1,252 @@
+// Rays through closed shapes, aimed at where numbers are worst. A ray that starts outside crosses the surface
+// an even number of times; and followed from hit to hit, as mirrors and glass do, every ray that enters
+// leaves.
+#include "compile/geometry.h"
+#include "compile/tessellated.h"
+#include "stress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace rb::stress {
+
+namespace {
+
+struct Solid {
+    std::string name;
+    ShapePtr exact;
+    ShapePtr facets;  ///< null for shapes that have no mesh
+    TriangleMesh mesh;
+    World world;
+};
+
+std::vector<Solid> make_solids() {
+    std::vector<Solid> solids;
+    for (const ShapeCase& c : shape_cases()) {
+        Solid solid;
+        solid.name = c.name;
+        solid.exact = shape_from(c.statement);
+        if (!bounds_a_body(*solid.exact) || !solid.exact->bounds().is_finite()) continue;
+        constexpr double tolerance = 0.01;
+        if (auto mesh = solid.exact->tessellate(tolerance)) {
+            solid.mesh = *mesh;
+            solid.facets = std::make_shared<TessellatedShape>(solid.exact, std::move(*mesh));
+        }
+        CompileOptions options;
+        options.geometry = GeometryMode::exact;
+        solid.world = world_of({placed(c.statement, {})}, options);
+        solids.push_back(std::move(solid));
+    }
+    return solids;
+}
+
+/// From afar through a point.
+Ray through(const Vec3& target, const Vec3& d) { return {target - 4.0 * d, d}; }
+
+Vec3 vertex(const TriangleMesh& mesh, Dice& dice) {
+    return Vec3(mesh.vertices[dice.below(mesh.vertices.size())]);
+}
+
+Vec3 edge_point(const TriangleMesh& mesh, Dice& dice) {
+    const auto& face = mesh.faces[dice.below(mesh.faces.size())];
+    const size_t k = dice.below(3);
+    return glm::mix(Vec3(mesh.vertices[face[k]]), Vec3(mesh.vertices[face[(k + 1) % 3]]), dice.unit());
+}
+
+/// False if the dice gave no ray.
+using Aim = bool (*)(const Solid& solid, Dice& dice, Ray& ray);
+
+bool anywhere(const Solid&, Dice& dice, Ray& ray) {
+    ray = through(dice.point(0.6), dice.direction());
+    return true;
+}
+
+/// Along an axis through round coordinates: in faces, through seams, along edges.
+bool along_lattice(const Solid&, Dice& dice, Ray& ray) {
+    Vec3 target;
+    for (int i = 0; i < 3; ++i) target[i] = 0.05 * (static_cast<double>(dice.below(25)) - 12.0);
+    Vec3 d{0.0};
+    d[static_cast<int>(dice.below(3))] = dice.coin() ? 1.0 : -1.0;
+    ray = through(target, d);
+    return true;
+}
+
+bool at_vertex(const Solid& solid, Dice& dice, Ray& ray) {
+    if (!solid.facets) return false;
+    ray = through(vertex(solid.mesh, dice), dice.direction());
+    return true;
+}
+
+bool at_edge(const Solid& solid, Dice& dice, Ray& ray) {
+    if (!solid.facets) return false;
+    ray = through(edge_point(solid.mesh, dice), dice.direction());
+    return true;
+}
+
+/// In the plane through a vertex across an axis, where a tree may have been split.
+bool in_split_plane(const Solid& solid, Dice& dice, Ray& ray) {
+    if (!solid.facets) return false;
+    const int axis = static_cast<int>(dice.below(3));
+    Vec3 d = dice.direction();
+    d[axis] = 0.0;
+    d = glm::normalize(d);
+    Vec3 target = dice.point(0.5);
+    target[axis] = vertex(solid.mesh, dice)[axis];
+    ray = through(target, d);
+    return true;
+}
+
+/// Along the surface, some last bits above or below it.
+bool at_silhouette(const Solid& solid, Dice& dice, Ray& ray) {
+    RayQuery query;
+    query.mask = seen_by_trace;
+    query.ray = through(dice.point(0.5), dice.direction());
+    Hit hit;
+    if (!solid.world.geometry->closest(query, hit)) return false;
+    const Vec3 d = glm::normalize(glm::cross(hit.normal, dice.direction()));
+    ray = through(hit.point + std::round(dice.between(-8, 8)) * 0x1p-53 * hit.normal, d);
+    return true;
+}
+
+enum class Side { inside, outside, unclear };
+
+/// Which side of a surface points lie on; unclear next to it.
+class Truth {
+public:
+    virtual bool inside(const Vec3& p) const = 0;
+
+    Side side(const Vec3& p) const {
+        constexpr double step = 1e-6;
+        const bool first = inside(p);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const double sign : {-step, step}) {
+                Vec3 q = p;
+                q[axis] += sign;
+                if (inside(q) != first) return Side::unclear;
+            }
+        }
+        return first ? Side::inside : Side::outside;
+    }
+
+protected:
+    ~Truth() = default;
+};
+
+class ShapeTruth final : public Truth {
+public:
+    explicit ShapeTruth(const Shape& shape) : shape_(shape) {}
+    bool inside(const Vec3& p) const override { return shape_.inside(p); }
+
+private:
+    const Shape& shape_;
+};
+
+/// Of facets, by counting along a direction that nothing is aligned with.
+class FacetTruth final : public Truth {
+public:
+    explicit FacetTruth(const Shape& facets) : facets_(facets) {}
+    bool inside(const Vec3& p) const override {
+        Crossings all;
+        facets_.crossings({{p, Vec3{0.5431, 0.6127, 0.5739}}}, all);
+        return all.size() % 2 == 1;
+    }
+
+private:
+    const Shape& facets_;
+};
+
+/// A crossing must lie between any two places of the ray on different sides; a mere touch may count or not.
+Trial judge(const std::string& name, const Truth& truth, const Ray& ray, std::vector<double> t) {
+    const auto fail = [&](double from, double to) {
+        const Vec3& o = ray.origin;
+        const Vec3& d = ray.direction;
+        return Trial{true, fmt::format("{}: between {} and {} of {} crossings, ray <{:.17g},{:.17g},{:.17g}> "
+                                       "<{:.17g},{:.17g},{:.17g}>",
+                                       name, from, to, t.size(), o.x, o.y, o.z, d.x, d.y, d.z)};
+    };
+    std::ranges::sort(t);
+    constexpr double end = 8.0;
+    t.insert(t.begin(), 0.0);
+    t.push_back(end);
+    for (size_t i = 0; i + 1 < t.size(); ++i) {
+        constexpr double least = 1e-5;
+        if (!(t[i + 1] - t[i] > least)) continue;
+        // Before the first crossing and behind the last the ray is outside.
+        bool in = false;
+        bool out = i == 0 || i + 2 == t.size();
+        for (const double share : {0.02, 0.2, 0.5, 0.8, 0.98}) {
+            const Side side = truth.side(ray.at(glm::mix(t[i], t[i + 1], share)));
+            in = in || side == Side::inside;
+            out = out || side == Side::outside;
+        }
+        if (in && out) return fail(t[i], t[i + 1]);
+    }
+    return {};
+}
+
+Trial all_crossings(const std::string& name, const Shape& shape, const Truth& truth, const Ray& ray) {
+    Crossings all;
+    shape.crossings({ray}, all);
+    std::vector<double> t;
+    for (size_t i = 0; i < all.size(); ++i) t.push_back(all[i].t);
+    return judge(name, truth, ray, std::move(t));
+}
+
+Trial follow(const Solid& solid, const Ray& ray) {
+    RayQuery query;
+    query.mask = seen_by_trace;
+    query.ray = ray;
+    constexpr size_t most = 1000;
+    std::vector<double> t;
+    for (Hit hit; t.size() < most && solid.world.geometry->closest(query, hit);) {
+        t.push_back((t.empty() ? 0.0 : t.back()) + hit.t);
+        query.ray.origin = hit.point;
+        query.origin_leaf = hit.leaf;
+        query.origin_error = hit.error;
+        query.origin_part = hit.crossing.part;
+    }
+    if (t.size() == most) return {true, solid.name + ": does not end"};
+    return judge(solid.name, ShapeTruth(*solid.exact), ray, std::move(t));
+}
+
+void run(const Effort& effort, Table& table) {
+    const std::vector<Solid> solids = make_solids();
+    struct Kind {
+        std::string_view name;
+        Aim aim;
+    };
+    static constexpr std::array<Kind, 6> kinds{{{"anywhere", anywhere},
+                                                {"along axes through round numbers", along_lattice},
+                                                {"vertices", at_vertex},
+                                                {"edges", at_edge},
+                                                {"split planes", in_split_plane},
+                                                {"silhouettes", at_silhouette}}};
+    for (const Kind& kind : kinds) {
+        const auto rays = [&](std::string_view form, double full, auto&& look) {
+            table.run(fmt::format("{}, {}", form, kind.name), effort.of(full), [&](Dice& dice) {
+                const Solid& solid = solids[dice.below(solids.size())];
+                Ray ray;
+                if (!kind.aim(solid, dice, ray)) return Trial::nothing();
+                return look(solid, ray);
+            });
+        };
+        rays("exact", 6e6, [](const Solid& s, const Ray& ray) {
+            return all_crossings(s.name, *s.exact, ShapeTruth(*s.exact), ray);
+        });
+        rays("facets", 8e6, [](const Solid& s, const Ray& ray) {
+            if (!s.facets) return Trial::nothing();
+            return all_crossings(s.name, *s.facets, FacetTruth(*s.facets), ray);
+        });
+        rays("hit to hit", 4e6, follow);
+    }
+}
+
+}  // namespace
+
+const Family leaks{"leaks", "Rays through closed shapes", run};
+
+}  // namespace rb::stress

@@ -1,0 +1,57 @@
+#pragma once
+#include "tests/geometry/shape_cases.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rb::stress {
+
+/// How much of the full run to do: 1 is all of it.
+struct Effort {
+    double share = 1;
+    /// At least one.
+    uint64_t of(double full) const { return static_cast<uint64_t>(std::max(1.0, full * share)); }
+};
+
+/// What one trial came to.
+struct Trial {
+    bool counts = true;   ///< false: the dice gave nothing to try (a ray that missed)
+    std::string failure;  ///< empty: passed
+
+    static Trial nothing() { return {false, {}}; }
+};
+
+/// Prints a row for each kind of case: tried, failed, and the first failure (of the lowest number).
+class Table {
+public:
+    /// Runs `trial` `count` times on all threads, with dice seeded by the trial's number: the same cases
+    /// whatever the number of threads.
+    void run(const std::string& what, uint64_t count, const std::function<Trial(Dice&)>& trial);
+    /// The same for cases that stand in a list.
+    void run_listed(const std::string& what, size_t count, const std::function<Trial(size_t)>& trial);
+
+    uint64_t failures() const { return failures_; }
+
+private:
+    void print(const std::string& what, uint64_t tried, uint64_t failed, const std::string& first);
+
+    uint64_t failures_ = 0;
+};
+
+/// One kind of stress; each has its own file.
+struct Family {
+    std::string_view name;
+    std::string_view title;
+    void (*run)(const Effort& effort, Table& table);
+};
+
+extern const Family solvers;
+extern const Family leaks;
+extern const Family placement;
+extern const Family hard_cases;
+extern const Family specks;
+
+}  // namespace rb::stress
