@@ -56,6 +56,11 @@ bool has_outward_normals(const Shape& s) {
     return std::ranges::find(free, s.keyword()) == free.end();
 }
 
+/// True if surface and solid end together; a disc's half-space and a height field go on without a surface.
+bool closes(const Shape& s) {
+    return !s.is_patch() && s.solid_bounds().is_finite() == s.bounds().is_finite();
+}
+
 /// A ray from afar towards the shape (or to the plane), and a hit on it.
 bool random_hit(const World& world, Dice& dice, double scale, const Vec3& offset, Hit& hit) {
     RayQuery query;
@@ -153,10 +158,13 @@ struct Restart {
 Restart restart_of(const Shape& s) {
     Restart r;
     const bool infinite = !s.bounds().is_finite();
-    r.closed = !s.is_patch() && !infinite && s.keyword() != "disc";
-    r.returns = r.closed || (infinite && s.curvature() != Curvature::flat && s.keyword() != "plane");
-    // By the language its normals are differences over `accuracy`.
-    if (s.keyword() == "isosurface") r.least_sine = 0.01;
+    r.closed = closes(s) && !infinite;
+    constexpr std::array<std::string_view, 2> bowls{"height_field", "parametric"};
+    const bool bowl = std::ranges::find(bowls, s.keyword()) != bowls.end();
+    r.returns = r.closed || bowl || (infinite && s.curvature() != Curvature::flat && s.keyword() != "plane");
+    // By the language their normals are differences over `accuracy`, or those of another iterate.
+    constexpr std::array<std::string_view, 3> rough{"isosurface", "parametric", "julia_fractal"};
+    if (std::ranges::find(rough, s.keyword()) != rough.end()) r.least_sine = 0.01;
     return r;
 }
 
@@ -224,7 +232,7 @@ void expect_no_self_hits(const World& world, const Standing& standing, const Vec
 
 TEST_P(EveryShape, NoSelfHitsAtAnyScale) {
     const ShapePtr s = shape();
-    const bool solid = !s->is_patch() && !infinite() && s->keyword() != "disc";
+    const bool solid = closes(*s) && !infinite();
     const Restart rule = restart_of(*shape());
     const Transform turn = then(Transform::scaling({1, 0.8, 1.1}), Transform::rotation_deg({20, 30, 40}));
     for (const Transform& base : {Transform{}, turn}) {
@@ -297,7 +305,11 @@ double distance_across(const Shape& s, const Vec3& p, const Vec3& n) {
 }
 
 /// Finite shapes for which no mesh with a proven bound is made: always met exactly.
-bool has_no_mesh(const Shape& s) { return s.keyword() == "isosurface" || s.keyword() == "superellipsoid"; }
+bool has_no_mesh(const Shape& s) {
+    constexpr std::array<std::string_view, 5> shapes{"isosurface", "superellipsoid", "sphere_sweep",
+                                                     "parametric", "julia_fractal"};
+    return std::ranges::find(shapes, s.keyword()) != shapes.end();
+}
 
 TEST_P(EveryShape, TessellationIsClosedOutwardAndWithinItsBound) {
     const ShapePtr s = shape();
@@ -314,7 +326,7 @@ TEST_P(EveryShape, TessellationIsClosedOutwardAndWithinItsBound) {
         ASSERT_TRUE(mesh.has_value());
         EXPECT_FALSE(mesh->faces.empty());
         EXPECT_LE(mesh->error, 1.01 * tolerance + 1e-6);
-        const bool solid = !s->is_patch() && s->keyword() != "disc";
+        const bool solid = closes(*s);
         std::map<std::pair<uint32_t, uint32_t>, int> edges;
         double volume = 0;
         for (const auto& f : mesh->faces) {
@@ -367,7 +379,7 @@ std::vector<const ShapeKind*> solid_kinds() {
     std::vector<const ShapeKind*> kinds;
     for (const ShapeKind* kind : all_shapes()) {
         const auto shape = std::get<ShapePtr>(object_from(kind->example)->geometry);
-        if (!shape->is_patch() && kind->keyword != "disc") kinds.push_back(kind);
+        if (closes(*shape)) kinds.push_back(kind);
     }
     return kinds;
 }
