@@ -1,4 +1,4 @@
-// Sweeps: values measured with the reference program, and what it gets
+// Sweeps and fractals: values measured with the reference program, and what it gets
 // wrong.
 #include "tests/geometry/probe.h"
 
@@ -45,6 +45,34 @@ TEST(SphereSweep, Refusals) {
     EXPECT_THROW(object_from("sphere_sweep{linear_spline 1,<0,0,0>,1}"), SceneError);
     EXPECT_THROW(object_from("sphere_sweep{b_spline 3,<0,0,0>,1,<1,0,0>,1,<2,0,0>,1}"), SceneError);
     EXPECT_THROW(object_from("sphere_sweep{b_spline 400000000,<0,0,0>,1}"), SceneError);
+}
+
+TEST(Probes, P43JuliaQuaternion) {
+    Probe o("julia_fractal{<-.083,0,-.83,-.025> quaternion sqr max_iteration 8 precision 200}");
+    o.hits({.1, .2, -5}, z, {.1, .2, -.3413396}, {.8547077, .1417876, -.4993707});
+    expect_near(o.extent().hi, {1.8345144, 1.8345144, 1.8345144}, "max");
+}
+
+TEST(Probes, P44JuliaCube) {
+    Probe("julia_fractal{<.2,.3,-.4,.1> quaternion cube max_iteration 6 precision 100}")
+        .hits({.1, .2, -5}, z, {.1, .2, -1.0558198}, {.6210776, .0990495, -.777465});
+}
+
+TEST(Probes, P45JuliaHypercomplex) {
+    Probe("julia_fractal{<.2,.3,-.4,.1> hypercomplex sqr max_iteration 6 precision 100}")
+        .hits({.1, .2, -5}, z, {.1, .2, -.9697077}, {.5132353, .6068729, -.606873});
+}
+
+TEST(JuliaFractal, ItsBallIsNoSurface) {
+    Probe("julia_fractal{<.2,.3,-.4,.1> hypercomplex ln max_iteration 4}").misses({.1, .2, -5}, z);
+}
+
+TEST(JuliaFractal, Refusals) {
+    EXPECT_THROW(object_from("julia_fractal{<.1,.2,.3,.4> quaternion exp}"), SceneError);
+    EXPECT_THROW(object_from("julia_fractal{<.1,.2,.3,.4> slice 0, 1}"), SceneError);
+    EXPECT_THROW(object_from("julia_fractal{<.1,.2,.3,.4> slice <1,0,0,0>, 1}"), SceneError);
+    EXPECT_THROW(object_from("julia_fractal{<.1,.2,.3,.4> max_iteration 1e9}"), SceneError);
+    EXPECT_NO_THROW(object_from("julia_fractal{<.1,.2,.3> hypercomplex pwr(2,3)}"));
 }
 
 }  // namespace
