@@ -1,6 +1,7 @@
 #include "app/scene_input.h"
 
 #include "app/write_access.h"
+#include "image/image_store.h"
 
 #include <filesystem>
 #include <iostream>
@@ -34,6 +35,7 @@ LoadOptions load_options(const Settings& settings, const AnimationFrame& frame, 
     options.clock_delta = frame.clock_delta;
     options.version = settings.version;
     options.oracle = &oracle;
+    options.images = std::make_shared<ImageStore>();
     options.max_tokens = settings.max_parse_steps;
     options.strict = settings.strict;
     options.may_write = [access = WriteAccess(settings)](const std::string& path) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/function.h"
+#include "scene/image.h"
 #include "scene/object.h"
 #include "scene/scene.h"
 
@@ -108,12 +109,12 @@ struct ReadContext {
     int effective_version = 362;
     /// Reads `texture { ... }` where a shape carries textures of its own (mesh2); set by the language.
     TexturePtr (*read_texture)(const Block& block, const ReadContext& context) = nullptr;
-    /// The same for what a pattern or shape holds besides: pigments, objects, and files (their path if
-    /// found).
+    /// The same for what a pattern or shape holds besides: pigments, objects.
     PigmentPtr (*read_pigment)(const Block& block, const ReadContext& context) = nullptr;
     ObjectPtr (*read_object)(const Block& block, const ReadContext& context) = nullptr;
-    std::optional<std::string> (*find_file)(const ReadContext& context, const std::string& name,
-                                            SourceRange where) = nullptr;
+    /// Takes a picture, as a file or a function, with its gamma: `png "file" gamma 2.2`. A file that is
+    /// missing or damaged is an error at its name.
+    ImageSource (*take_image)(BlockReader& in) = nullptr;
     /// The path of a font file; throws if there is none.
     std::string (*find_font)(const ReadContext& context, const std::string& name,
                              SourceRange where) = nullptr;

@@ -1,5 +1,6 @@
 #pragma once
 #include "image/file.h"
+#include "scene/image.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -53,5 +54,7 @@ void write_png(const PixelRows& rows, const OutputFormat& format, const std::str
 /// Every format through OpenImageIO, which lives in a module of its own that is loaded at the first call.
 void write_with_oiio(const Samples& samples, const OutputFormat& format, const std::string& path);
 Pixels read_with_oiio(const std::string& path);
+/// JPEG, TIFF (as 8 bits a channel, like the reference), OpenEXR, HDR as the file holds them.
+Image read_samples_with_oiio(const std::string& path, ImageType type);
 
 }  // namespace rb

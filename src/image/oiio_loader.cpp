@@ -54,4 +54,11 @@ Pixels read_with_oiio(const std::string& path) {
     return pixels;
 }
 
+Image read_samples_with_oiio(const std::string& path, ImageType type) {
+    Image image;
+    const std::string error = oiio().read_samples(path, type, image);
+    if (!error.empty()) throw IoError(fmt::format("cannot read '{}': {}", path, error));
+    return image;
+}
+
 }  // namespace rb

@@ -26,6 +26,28 @@ std::vector<std::string> extensions_of(SoughtFile type) {
             return {".ttf", ".TTF"};
         case SoughtFile::df3:
             return {".df3", ".DF3"};
+        case SoughtFile::gif:
+            return {".gif", ".GIF"};
+        case SoughtFile::tga:
+            return {".tga", ".TGA"};
+        case SoughtFile::iff:
+            return {".iff", ".IFF"};
+        case SoughtFile::ppm:
+            return {".ppm", ".PPM"};
+        case SoughtFile::pgm:
+            return {".pgm", ".PGM"};
+        case SoughtFile::png:
+            return {".png", ".PNG"};
+        case SoughtFile::jpeg:
+            return {".jpg", ".JPG", ".jpeg", ".JPEG"};
+        case SoughtFile::tiff:
+            return {".tif", ".TIF", ".tiff", ".TIFF"};
+        case SoughtFile::bmp:
+            return {".bmp", ".BMP"};
+        case SoughtFile::exr:
+            return {".exr", ".EXR"};
+        case SoughtFile::hdr:
+            return {".hdr", ".HDR"};
         case SoughtFile::data:
         case SoughtFile::image:
             return {};
@@ -135,8 +157,8 @@ std::optional<std::string> find_file(Session& session, const std::string& name, 
 }
 
 bool names_file_type(std::string_view word) {
-    constexpr std::array<std::string_view, 14> types{"png",  "gif", "tga", "iff", "ppm", "pgm", "jpeg",
-                                                     "tiff", "exr", "hdr", "bmp", "df3", "ttf", "sys"};
+    constexpr std::array<std::string_view, 15> types{"png", "gif", "tga", "iff", "ppm", "pgm", "jpeg", "tiff",
+                                                     "exr", "hdr", "bmp", "df3", "ttf", "sys", "pot"};
     return std::ranges::find(types, word) != types.end();
 }
 

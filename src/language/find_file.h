@@ -8,7 +8,26 @@ namespace rb {
 
 struct Session;
 
-enum class SoughtFile { scene, include, data, image, font, df3 };
+/// `image` stands for one of unknown type.
+enum class SoughtFile {
+    scene,
+    include,
+    data,
+    font,
+    df3,
+    image,
+    gif,
+    tga,
+    iff,
+    ppm,
+    pgm,
+    png,
+    jpeg,
+    tiff,
+    bmp,
+    exr,
+    hdr
+};
 
 /// The path of a file that a scene names at `where`: the working directory and the library paths, with the
 /// type's usual extensions (language spec 22). What is not found is looked for again as scenes from other

@@ -1,6 +1,7 @@
 #pragma once
 #include "base/diagnostics.h"
 #include "language/oracle.h"
+#include "scene/image.h"
 #include "scene/scene.h"
 
 #include <functional>
@@ -32,6 +33,7 @@ struct LoadOptions {
     double clock_delta = 0;
     std::optional<double> version;
     GeometryOracle* oracle = nullptr;
+    std::shared_ptr<ImageFiles> images;  ///< null: no picture file can be read
     /// Text of #debug, #warning, #render and #statistics, by stream name.
     std::function<void(std::string_view stream, std::string_view text)> message;
     /// Gives up after so many tokens (0: never), so that a loop without end is an error.

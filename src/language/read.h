@@ -51,6 +51,8 @@ std::shared_ptr<const Transform> read_transform(const Block& block, const ReadCo
 /// Takes one transformation if it is next.
 bool take_transformation(BlockReader& in, Transform& map);
 
+ImageSource take_image(BlockReader& in);
+
 void read_camera_draft(const Block& block, const ReadContext& context, CameraDraft& draft,
                        bool edits_default);
 std::shared_ptr<const Camera> read_camera(const Block& block, const ReadContext& context);

@@ -27,9 +27,7 @@ ReadContext Session::context() {
     context.read_object = [](const Block& block, const ReadContext& c) { return read_object(block, c); };
     context.take_transformation = take_transformation;
     context.take_texture = take_texture;
-    context.find_file = [](const ReadContext& c, const std::string& name, SourceRange where) {
-        return find_file(*c.session, name, SoughtFile::image, where);
-    };
+    context.take_image = take_image;
     context.find_font = [](const ReadContext& c, const std::string& name, SourceRange where) {
         if (auto path = find_file(*c.session, name, SoughtFile::font, where)) return *path;
         throw missing_file(*c.session, name, SoughtFile::font, where, "Cannot open font file.");

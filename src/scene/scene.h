@@ -1,25 +1,19 @@
 #pragma once
 #include "base/diagnostics.h"
 #include "scene/camera.h"
+#include "scene/curve.h"
 #include "scene/object.h"
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace rb {
 
-/// assumed_gamma: absent, a power, or the sRGB curve (manual 3.4.1.2).
-struct SrgbCurve {
-    friend bool operator==(SrgbCurve, SrgbCurve) = default;
-};
-using GammaCurve = std::variant<SrgbCurve, double>;
-
 struct GlobalSettings {
     float adc_bailout = 1.0f / 255.0f;
     Rgb ambient_light{1.0f};
-    std::optional<GammaCurve> assumed_gamma;
+    std::optional<GammaCurve> assumed_gamma;  ///< absent: not given (manual 3.4.1.2)
     Rgb irid_wavelength{0.70f, 0.52f, 0.48f};
     int max_trace_level = 5;
     int noise_generator = 2;

@@ -60,7 +60,9 @@ const std::vector<ShapeCase>& shape_cases() {
     return cases;
 }
 
-bool bounds_a_body(const Shape& shape) { return !shape.is_patch() && shape.keyword() != "disc"; }
+bool bounds_a_body(const Shape& shape) {
+    return !shape.is_patch() && shape.solid_bounds().is_finite() == shape.bounds().is_finite();
+}
 
 bool has_outward_normals(const Shape& shape) {
     constexpr std::array<std::string_view, 3> free{"prism", "text", "lathe"};

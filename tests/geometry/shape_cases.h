@@ -22,7 +22,8 @@ const std::vector<ShapeCase>& shape_cases();
 
 ShapePtr shape_from(std::string_view statement);
 
-/// True for shapes that bound a body (a disc's inside is a half-space, a patch has none).
+/// True if surface and solid end together: a patch has no inside, a disc's half-space and a height field's go
+/// on without a surface.
 bool bounds_a_body(const Shape& shape);
 
 /// False for shapes whose normals follow the order of their points, as the language has it.

@@ -1,5 +1,6 @@
 #include "statement.h"
 
+#include "image/image_store.h"
 #include "language/load.h"
 
 namespace rb {
@@ -8,6 +9,7 @@ Scene scene_from(std::string_view text) {
     LoadOptions options;
     options.input_file = "statement";
     options.input_text = "#version 3.7; global_settings { assumed_gamma 1.0 }\n" + std::string(text);
+    options.images = std::make_shared<ImageStore>();
     SourceMap sources;
     Diagnostics diagnostics;
     Scene scene;

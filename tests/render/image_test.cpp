@@ -2,6 +2,7 @@
 #include "image/codec.h"
 #include "image/compare.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>

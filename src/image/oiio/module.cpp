@@ -75,16 +75,18 @@ std::string write(const Samples& samples, const OutputFormat& format, const std:
     return {};
 }
 
+bool is_reasonable(const OIIO::ImageSpec& spec) {
+    constexpr int most_pixels = 1 << 28;
+    return spec.width > 0 && spec.height > 0 && spec.nchannels > 0 && spec.width <= most_pixels / spec.height;
+}
+
 std::string read(const std::string& path, Pixels& pixels) {
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);
     const auto in = OIIO::ImageInput::open(path, &wish);
     if (!in) return OIIO::geterror();
     const OIIO::ImageSpec& spec = in->spec();
-    constexpr int most_pixels = 1 << 28;
-    if (spec.width <= 0 || spec.height <= 0 || spec.width > most_pixels / spec.height) {
-        return "the picture's size is not reasonable";
-    }
+    if (!is_reasonable(spec)) return "the picture's size is not reasonable";
     std::vector<float> raw(static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
                            static_cast<size_t>(spec.nchannels));
     if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, raw.data())) return in->geterror();
@@ -102,11 +104,45 @@ std::string read(const std::string& path, Pixels& pixels) {
     return {};
 }
 
+/// Grey, or the first three channels and alpha.
+int kept_channels(const OIIO::ImageSpec& spec) {
+    if (spec.nchannels < 3) return spec.nchannels;
+    return spec.alpha_channel == 3 ? 4 : 3;
+}
+
+std::string read_samples(const std::string& path, ImageType type, Image& image) {
+    OIIO::ImageSpec wish;
+    wish.attribute("oiio:UnassociatedAlpha", 1);
+    const auto in = OIIO::ImageInput::create(std::string(type == ImageType::jpeg   ? "jpeg"
+                                                         : type == ImageType::tiff ? "tiff"
+                                                         : type == ImageType::exr  ? "openexr"
+                                                                                   : "hdr"));
+    OIIO::ImageSpec spec;
+    if (!in) return OIIO::geterror();
+    if (!in->open(path, spec, wish)) return in->geterror();
+    if (!is_reasonable(spec)) return "the picture's size is not reasonable";
+    image.width = spec.width;
+    image.height = spec.height;
+    image.channels = kept_channels(spec);
+    const size_t count = image.index(0, image.height);
+    if (type == ImageType::exr || type == ImageType::hdr) {
+        image.floats.resize(count);
+        image.curve = 1.0;
+        if (!in->read_image(0, 0, 0, image.channels, OIIO::TypeFloat, image.floats.data()))
+            return in->geterror();
+        return {};
+    }
+    std::vector<uint8_t> bytes(count);
+    if (!in->read_image(0, 0, 0, image.channels, OIIO::TypeUInt8, bytes.data())) return in->geterror();
+    image.samples.assign(bytes.begin(), bytes.end());
+    return {};
+}
+
 }  // namespace
 
 }  // namespace rb
 
 extern "C" __attribute__((visibility("default"))) const rb::OiioModule* renderboy_oiio_module() {
-    static const rb::OiioModule module{rb::write, rb::read};
+    static const rb::OiioModule module{rb::write, rb::read, rb::read_samples};
     return &module;
 }

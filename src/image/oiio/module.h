@@ -8,6 +8,7 @@ struct OiioModule {
     /// Empty on success.
     std::string (*write)(const Samples& samples, const OutputFormat& format, const std::string& path);
     std::string (*read)(const std::string& path, Pixels& out);
+    std::string (*read_samples)(const std::string& path, ImageType type, Image& out);
 };
 
 }  // namespace rb

@@ -1,0 +1,79 @@
+// Sweeps and fractals: values measured with the reference program, and what it gets
+// wrong.
+#include "tests/geometry/probe.h"
+
+namespace rb {
+namespace {
+
+TEST(Probes, P32SphereSweepLinear) {
+    Probe o("sphere_sweep{linear_spline 3,<0,0,0>,.5,<2,0,0>,.3,<2,2,0>,.2}");
+    o.hits({1, .1, -5}, z, {1, .1, -.3893792}, {.1, .2475, -.9637135});
+    expect_near(o.extent().hi, {2.3, 2.2, .5}, "max");
+}
+
+TEST(Probes, P33SphereSweepBasisSpline) {
+    Probe("sphere_sweep{b_spline 4,<0,0,0>,.5,<2,0,0>,.3,<2,2,0>,.2,<0,3,0>,.2}")
+        .hits({1.7, .7, -5}, z, {1.7, .7, -.2289884}, {-.5170695, .2878429, -.8060928});
+}
+
+TEST(Probes, P34SphereSweepCubic) {
+    Probe("sphere_sweep{cubic_spline 4,<0,0,0>,.5,<2,0,0>,.3,<2,2,0>,.2,<0,3,0>,.2}")
+        .hits({2.1, 1, -5}, z, {2.1, 1, -.1814683}, {-.6354642, .0284595, -.7716056});
+}
+
+TEST(SphereSweep, InsideEveryBallIsInside) {
+    Probe o("sphere_sweep{linear_spline 2,<0,0,0>,2,<0.1,0,0>,2}");
+    EXPECT_TRUE(o.inside({0, 0, 0}));
+    EXPECT_FALSE(o.inside({0, 0, 2.1}));
+}
+
+TEST(SphereSweep, OneHoldsTheOther) {
+    // The smaller end lies within the larger one: no cone between them.
+    Probe o("sphere_sweep{linear_spline 2,<0,0,0>,1,<0.5,0,0>,.1}");
+    o.hits({0, 0, -5}, z, {0, 0, -1}, -z);
+    o.hits({5, 0, 0}, -x, {1, 0, 0}, x);
+}
+
+TEST(SphereSweep, CoincidentNeighbours) {
+    Probe o("sphere_sweep{cubic_spline 6,<0,0,0>,1,<0,0,0>,1,<0,0,0>,1,<2,0,0>,1,<2,0,0>,1,<2,0,0>,1}");
+    o.hits({1, 0, -5}, z, {1, 0, -1}, -z);
+    o.hits({0, 0, 0}, z, {0, 0, 1}, z);
+}
+
+TEST(SphereSweep, Refusals) {
+    EXPECT_THROW(object_from("sphere_sweep{2,<0,0,0>,1,<1,0,0>,1}"), SceneError);
+    EXPECT_THROW(object_from("sphere_sweep{linear_spline 1,<0,0,0>,1}"), SceneError);
+    EXPECT_THROW(object_from("sphere_sweep{b_spline 3,<0,0,0>,1,<1,0,0>,1,<2,0,0>,1}"), SceneError);
+    EXPECT_THROW(object_from("sphere_sweep{b_spline 400000000,<0,0,0>,1}"), SceneError);
+}
+
+TEST(Probes, P43JuliaQuaternion) {
+    Probe o("julia_fractal{<-.083,0,-.83,-.025> quaternion sqr max_iteration 8 precision 200}");
+    o.hits({.1, .2, -5}, z, {.1, .2, -.3413396}, {.8547077, .1417876, -.4993707});
+    expect_near(o.extent().hi, {1.8345144, 1.8345144, 1.8345144}, "max");
+}
+
+TEST(Probes, P44JuliaCube) {
+    Probe("julia_fractal{<.2,.3,-.4,.1> quaternion cube max_iteration 6 precision 100}")
+        .hits({.1, .2, -5}, z, {.1, .2, -1.0558198}, {.6210776, .0990495, -.777465});
+}
+
+TEST(Probes, P45JuliaHypercomplex) {
+    Probe("julia_fractal{<.2,.3,-.4,.1> hypercomplex sqr max_iteration 6 precision 100}")
+        .hits({.1, .2, -5}, z, {.1, .2, -.9697077}, {.5132353, .6068729, -.606873});
+}
+
+TEST(JuliaFractal, ItsBallIsNoSurface) {
+    Probe("julia_fractal{<.2,.3,-.4,.1> hypercomplex ln max_iteration 4}").misses({.1, .2, -5}, z);
+}
+
+TEST(JuliaFractal, Refusals) {
+    EXPECT_THROW(object_from("julia_fractal{<.1,.2,.3,.4> quaternion exp}"), SceneError);
+    EXPECT_THROW(object_from("julia_fractal{<.1,.2,.3,.4> slice 0, 1}"), SceneError);
+    EXPECT_THROW(object_from("julia_fractal{<.1,.2,.3,.4> slice <1,0,0,0>, 1}"), SceneError);
+    EXPECT_THROW(object_from("julia_fractal{<.1,.2,.3,.4> max_iteration 1e9}"), SceneError);
+    EXPECT_NO_THROW(object_from("julia_fractal{<.1,.2,.3> hypercomplex pwr(2,3)}"));
+}
+
+}  // namespace
+}  // namespace rb
