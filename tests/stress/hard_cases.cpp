@@ -84,7 +84,7 @@ void coincident_solids(const Effort& effort, Table& table) {
     for (const ShapeCase& c : shape_cases()) {
         // Of infinite solids rounding decides, as in POV-Ray (docs/differences.md).
         const ShapePtr shape = shape_from(c.statement);
-        if (!bounds_a_body(*shape) || !shape->bounds().is_finite()) continue;
+        if (!bounds_a_body(*shape) || !shape->solid_bounds().is_finite()) continue;
         const bool nothing = c.kind->keyword == "cylinder" || c.kind->keyword == "cone";
         pairs.push_back({c.name, world_of({object_from(c.statement)}),
                          world_of({object_from(fmt::format("intersection {{ {0} {0} }}", c.statement))}),
