@@ -67,11 +67,15 @@ TEST(Decode, Pot) {
 
 TEST(Decode, PngWrittenHere) {
     const std::string path = (std::filesystem::path(testing::TempDir()) / "sixteen.png").string();
-    const Samples samples{2, 1, 4, {}, {1, 2, 300, 65535, 5, 6, 7, 0}, {}};
-    write_png(samples, {}, path);
+    const std::vector<uint16_t> words{1, 2, 300, 65535, 5, 6, 7, 0};
+    Pixels pixels(2, 1, 4);
+    std::ranges::transform(words, pixels.values.begin(), [](uint16_t w) { return w / 65535.0f; });
+    OutputFormat format;
+    format.bits = 16;
+    write_png(rows_of(pixels), format, path);
     ImageStore store;
     const ImagePtr image = store.read(path, ImageType::png);
-    EXPECT_EQ(image->samples, samples.words);
+    EXPECT_EQ(image->samples, words);
     EXPECT_EQ(image->white, 65535u);
     EXPECT_EQ(image->channels, 4);
     EXPECT_EQ(store.read(path, ImageType::png), image) << "decoded once";
