@@ -102,7 +102,8 @@ void coincident_solids(const Effort& effort, Table& table) {
     });
 }
 
-/// Closed tetrahedra as thin as 1e-9 of their length, rays at their corners and edges.
+/// Closed tetrahedra as thin as 1e-9 of their length, rays past their corners and edges as near as single
+/// precision puts them. (Through a corner itself all faces of its fan count, which need not be even.)
 void slivers(const Effort& effort, Table& table) {
     table.run("slivers", effort.of(2e5), [](Dice& dice) -> Trial {
         const double thin = dice.scale(1e-9, 1e-1);
@@ -126,8 +127,8 @@ void slivers(const Effort& effort, Table& table) {
             return Trial::nothing();
         }
         const auto& f = faces[dice.below(faces.size())];
-        const Vec3 a{Vec3f(p[f[0]])};
-        const Vec3 target = dice.coin() ? a : glm::mix(a, Vec3{Vec3f(p[f[1]])}, dice.unit());
+        const Vec3& a = p[f[0]];
+        const Vec3 target = dice.coin() ? a : glm::mix(a, p[f[1]], dice.unit());
         const Vec3 d = dice.direction();
         const Ray ray{target - 4.0 * d, d};
         Crossings all;
