@@ -206,11 +206,16 @@ private:
         const auto& c = cell.corner;
         Vec3 su = 0.5 * (cell.across_u(0) + cell.across_u(2));
         Vec3 sv = 0.5 * (cell.across_v(0) + cell.across_v(1));
-        // The first step from the mean of the corners costs nothing.
+        constexpr double far = 1.0;
+        // The first step from the mean of the corners costs nothing. Where the cell is seen nearly edge-on,
+        // how far that lies off the surface counts much: a way out of the cell has to start on it.
         Vec3 point = 0.25 * (c[0] + c[1] + c[2] + c[3]);
         Vec3 step = solve(su, sv, ray_.direction, ray_.origin - point);
+        if (!(std::max(std::abs(step.x), std::abs(step.y)) < far)) {
+            point = shape_.data_.at(cell.middle());
+            step = solve(su, sv, ray_.direction, ray_.origin - point);
+        }
         Vec2 share{0.0};
-        constexpr double far = 1.0;
         const double farthest = edge_on ? 4.0 : 1.5;
         constexpr int most = 24;
         for (int i = 0; i < most; ++i) {
@@ -230,7 +235,9 @@ private:
                 return;
             }
             point = shape_.data_.at(uv_at(cell, share));
-            if (edge_on) {
+            // The slopes of the whole cell converge slowly where those on it differ much.
+            constexpr int enough_with_fixed_slopes = 3;
+            if (edge_on || i >= enough_with_fixed_slopes) {
                 constexpr double h = 1e-3;
                 su = (shape_.data_.at(uv_at(cell, share + Vec2{h, 0.0})) - point) / h;
                 sv = (shape_.data_.at(uv_at(cell, share + Vec2{0.0, h})) - point) / h;
