@@ -4,6 +4,7 @@
 #include "shapes/isosurface.h"
 
 #include "math/random.h"
+#include "shapes/container.h"
 #include "shapes/registry.h"
 
 #include <algorithm>
@@ -20,27 +21,6 @@ constexpr int samples = 64;
 Vec3 random_place(const Bounds& box, uint64_t number) {
     const auto share = [&](uint64_t axis) { return unit_random(mixed(number, axis)); };
     return box.lo + box.size() * Vec3{share(0), share(1), share(2)};
-}
-
-void read_container(BlockReader& outer, IsosurfaceData& data) {
-    BlockReader in(outer.block("contained_by"), outer.context());
-    if (in.at_block("box")) {
-        BlockReader box(in.block("box"), in.context());
-        const Vec3 a = box.vec3();
-        const Vec3 b = box.vec3();
-        box.finish();
-        data.box = {glm::min(a, b), glm::max(a, b)};
-        data.radius.reset();
-    } else if (in.at_block("sphere")) {
-        BlockReader sphere(in.block("sphere"), in.context());
-        const Vec3 center = sphere.vec3();
-        data.radius = std::abs(sphere.number());
-        sphere.finish();
-        data.box = {center - *data.radius, center + *data.radius};
-    } else {
-        in.fail(fmt::format("Expected 'box or sphere', {} found instead", in.found()));
-    }
-    in.finish();
 }
 
 double positive_or(BlockReader& in, double otherwise, std::string_view what) {
@@ -86,7 +66,9 @@ ShapePtr read(BlockReader& in) {
     std::optional<Evaluate> evaluate;
     for (;;) {
         if (in.at_block("contained_by")) {
-            read_container(in, data);
+            const Container container = take_container(in);
+            data.box = container.box;
+            data.radius = container.radius;
         } else if (in.take_word("threshold")) {
             data.threshold = in.number();
         } else if (in.take_word("accuracy")) {

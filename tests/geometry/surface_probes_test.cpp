@@ -1,4 +1,4 @@
-// Sweeps and fractals: values measured with the reference program, and what it gets
+// Sweeps, parametric surfaces and fractals: values measured with the reference program, and what it gets
 // wrong.
 #include "tests/geometry/probe.h"
 
@@ -45,6 +45,56 @@ TEST(SphereSweep, Refusals) {
     EXPECT_THROW(object_from("sphere_sweep{linear_spline 1,<0,0,0>,1}"), SceneError);
     EXPECT_THROW(object_from("sphere_sweep{b_spline 3,<0,0,0>,1,<1,0,0>,1,<2,0,0>,1}"), SceneError);
     EXPECT_THROW(object_from("sphere_sweep{b_spline 400000000,<0,0,0>,1}"), SceneError);
+}
+
+TEST(Probes, P42Parametric) {
+    // The reference stops within its accuracy of the surface, and takes the normal at a corner of its cell.
+    ObjectProbe probe(*std::make_unique<Diagnostics>());
+    const ObjectPtr o = object_from(
+        "parametric{function{u},function{v},function{u*v} <-1,-1>,<1,1> contained_by{box{-1.1,1.1}} "
+        "max_gradient 2 accuracy .0001}");
+    const auto traced = probe.trace(o, {.3, .4, -5}, z);
+    ASSERT_TRUE(traced.has_value());
+    EXPECT_NEAR(traced->point.z, .12, 1e-12);
+    const Vec3 measured{-.3577434, -.2683212, .8944403};
+    EXPECT_LT(glm::length(traced->normal - measured), 2e-4);
+}
+
+TEST(Parametric, SeesNothingBeyondItsContainer) {
+    Probe o(
+        "parametric{function{u},function{v},function{0} <-1,-1>,<1,1> contained_by{box{-.5,.5}} "
+        "accuracy .0001}");
+    o.hits({.4, .4, -5}, z, {.4, .4, 0}, z);
+    o.misses({.6, .4, -5}, z);
+}
+
+TEST(Parametric, EdgesOfASphereAreFound) {
+    // Between 0.9 and 1 of the radius both walls are near; max_gradient is of no use there.
+    const std::string text =
+        "parametric{function{sin(u)*cos(v)},function{sin(u)*sin(v)},function{cos(u)} <0,0>,<pi,2*pi> "
+        "contained_by{box{-1.1,1.1}} max_gradient 0.1 accuracy .0001}";
+    Diagnostics diagnostics;
+    ObjectProbe probe(diagnostics);
+    const ObjectPtr o = object_from(text);
+    int missed = 0;
+    constexpr int rays = 2000;
+    for (int i = 0; i < rays; ++i) {
+        const double r = 0.9999 - 0.5 * i / rays;
+        const double angle = 0.7 * i;
+        const Vec3 from{r * std::cos(angle), r * std::sin(angle), -5};
+        const auto traced = probe.trace(o, from, z);
+        if (!traced || std::abs(traced->point.z + std::sqrt(1 - r * r)) > 1e-9) ++missed;
+    }
+    EXPECT_EQ(missed, 0);
+}
+
+TEST(Parametric, Refusals) {
+    const std::string start = "parametric{function{u},function{v},function{u} <0,0>,<1,1> ";
+    EXPECT_THROW(object_from(start + "precompute 0, x}"), SceneError);
+    EXPECT_THROW(object_from(start + "precompute 21}"), SceneError);
+    EXPECT_THROW(object_from("parametric{function{u},function{v} <0,0>,<1,1>}"), SceneError);
+    EXPECT_NO_THROW(object_from(start + "precompute 20,x,y,z}"));
+    EXPECT_NO_THROW(object_from("parametric{function{1/u},function{ln(v)},function{0/0} <0,0>,<0,1>}"));
 }
 
 TEST(Probes, P43JuliaQuaternion) {
