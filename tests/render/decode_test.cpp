@@ -83,24 +83,6 @@ TEST(Decode, PngWrittenHere) {
     EXPECT_THROW(store.read(path + ".missing", ImageType::png), IoError);
 }
 
-TEST(Decode, OiioTypesKeepTheirNumbers) {
-    const auto path = [](const char* name) {
-        return (std::filesystem::path(testing::TempDir()) / name).string();
-    };
-    const Samples bytes{2, 2, 3, {3, 1, 2, 128, 7, 9, 64, 200, 32, 255, 254, 253}, {}, {}};
-    OutputFormat tiff;
-    tiff.type = FileType::tiff;
-    write_with_oiio(bytes, tiff, path("bytes.tif"));
-    EXPECT_EQ(decode_image(path("bytes.tif"), ImageType::tiff).samples,
-              (Samples16{3, 1, 2, 128, 7, 9, 64, 200, 32, 255, 254, 253}));
-    const Samples floats{1, 1, 3, {}, {}, {0.5f, 2.0f, -1.0f}};
-    OutputFormat exr;
-    exr.type = FileType::exr;
-    write_with_oiio(floats, exr, path("floats.exr"));
-    EXPECT_EQ(decode_image(path("floats.exr"), ImageType::exr).floats, floats.floats);
-    EXPECT_THROW(decode_image(path("bytes.tif"), ImageType::jpeg), IoError);
-}
-
 std::string targa(int kind, int bits, int descriptor, const std::string& body, int colors = 0) {
     std::string header(18, '\0');
     header[1] = colors > 0 ? 1 : 0;

@@ -1,6 +1,7 @@
 #include "base/diagnostics.h"
 #include "image/codec.h"
 #include "image/compare.h"
+#include "image/decode.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,6 +108,21 @@ TEST(WriteImage, FailureLeavesTheOldFileAndNothingElse) {
     EXPECT_THROW(write_image(rows_of(small), {}, (folder / "taken.png").string()), IoError);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}), 1);
     EXPECT_THROW(write_image(rows_of(small), {}, (folder / "no/such/folder.png").string()), IoError);
+}
+
+TEST(ReadImage, TypesOfOpenImageIoKeepTheirNumbers) {
+    const Samples bytes{2, 2, 3, {3, 1, 2, 128, 7, 9, 64, 200, 32, 255, 254, 253}, {}, {}};
+    OutputFormat tiff;
+    tiff.type = FileType::tiff;
+    write_with_oiio(bytes, tiff, temporary("bytes.tif"));
+    EXPECT_EQ(decode_image(temporary("bytes.tif"), ImageType::tiff).samples,
+              (std::vector<uint16_t>{3, 1, 2, 128, 7, 9, 64, 200, 32, 255, 254, 253}));
+    const Samples floats{1, 1, 3, {}, {}, {0.5f, 2.0f, -1.0f}};
+    OutputFormat exr;
+    exr.type = FileType::exr;
+    write_with_oiio(floats, exr, temporary("floats.exr"));
+    EXPECT_EQ(decode_image(temporary("floats.exr"), ImageType::exr).floats, floats.floats);
+    EXPECT_THROW(decode_image(temporary("bytes.tif"), ImageType::jpeg), IoError);
 }
 
 TEST(ReadImage, TruncatedFilesAreErrors) {
