@@ -54,10 +54,13 @@ bool SolidForest::counts(uint32_t leaf, const Vec3& p, const Ray& ray) const {
     for (uint32_t from = no_node, at = leaf; at != no_node; from = at, at = nodes[at].parent) {
         const SolidNode& node = nodes[at];
         if (!node.tests_hits) return true;
-        if (node.kind == SolidNode::Kind::merge || node.kind == SolidNode::Kind::intersection) {
-            const bool wanted = node.kind == SolidNode::Kind::intersection;
+        if (node.kind == SolidNode::Kind::merge) {
             for (const uint32_t child : children_of(node)) {
-                if (child != from && touches(child, p, ray) != wanted) return false;
+                if (child != from && inside(child, p)) return false;
+            }
+        } else if (node.kind == SolidNode::Kind::intersection) {
+            for (const uint32_t child : children_of(node)) {
+                if (child != from && !touches(child, p, ray)) return false;
             }
         }
         if (!in_all(lists_of(node).clips, p)) return false;

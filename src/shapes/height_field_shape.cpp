@@ -1,5 +1,6 @@
 #include "shapes/height_field_shape.h"
 
+#include "shapes/nearest_face.h"
 #include "shapes/woop.h"
 
 #include <algorithm>
@@ -316,18 +317,8 @@ void HeightField::crossings(const ShapeRay& ray, Crossings& out) const {
 }
 
 bool HeightField::closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const {
-    double best = ray.t_max;
-    bool found = false;
-    each_candidate(ray, best, [&](uint32_t part, const TriangleHit& hit) {
-        if (found && hit.t == best && part <= nearest.part) return false;
-        const Crossing crossing{hit.t, part, hit.at};
-        if (filter && !filter->counts(crossing)) return false;
-        nearest = crossing;
-        best = hit.t;
-        found = true;
-        return false;
-    });
-    return found;
+    return nearest_face(ray, filter, nearest,
+                        [&](const double& t_max, auto&& take) { each_candidate(ray, t_max, take); });
 }
 
 bool HeightField::any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const {

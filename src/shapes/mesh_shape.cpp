@@ -1,5 +1,6 @@
 #include "shapes/mesh_shape.h"
 
+#include "shapes/nearest_face.h"
 #include "shapes/woop.h"
 
 #include <algorithm>
@@ -100,19 +101,8 @@ void MeshShape::crossings(const ShapeRay& ray, Crossings& out) const {
 }
 
 bool MeshShape::closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const {
-    double best = ray.t_max;
-    bool found = false;
-    each_candidate(ray, best, [&](uint32_t face, const TriangleHit& hit) {
-        // At a shared edge the later face is seen.
-        if (found && hit.t == best && face <= nearest.part) return false;
-        const Crossing crossing{hit.t, face, hit.at};
-        if (filter && !filter->counts(crossing)) return false;
-        nearest = crossing;
-        best = hit.t;
-        found = true;
-        return false;
-    });
-    return found;
+    return nearest_face(ray, filter, nearest,
+                        [&](const double& t_max, auto&& take) { each_candidate(ray, t_max, take); });
 }
 
 bool MeshShape::any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const {

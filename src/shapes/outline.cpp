@@ -140,25 +140,9 @@ Outline::Contact Outline::nearest_on(uint32_t index, const Vec2& p) const {
         least = dd;
         first = i;
     }
-    Contact best{index, static_cast<double>(first) / (sample_count - 1), std::sqrt(least)};
-    // Gauss and Newton: the point lies on the curve, or so near that its second derivative does not matter.
-    double w = best.w;
-    Vec2 at = samples_[index][first];
-    for (int i = 0; i < 20; ++i) {
-        const Vec2 along = piece.slope(w);
-        const double length = glm::dot(along, along);
-        if (!(length > 0.0)) break;
-        const double next = std::clamp(w + glm::dot(p - at, along) / length, 0.0, 1.0);
-        if (next == w) break;
-        constexpr double settled = 1e-9;
-        const bool last = std::abs(next - w) <= settled;
-        w = next;
-        at = piece.at(w);
-        const double d = glm::length(at - p);
-        if (d < best.distance) best = {index, w, d};
-        if (last) break;
-    }
-    return best;
+    const double w = static_cast<double>(first) / (sample_count - 1);
+    return settle_on_curve(piece, index, p, w, samples_[index][first],
+                           [&](double at_w, const Vec2&) { return piece.slope(at_w); });
 }
 
 Outline::Contact Outline::nearest(const Vec2& p, double within) const {

@@ -2,6 +2,7 @@
 #include "math/range_tree.h"
 #include "math/roots.h"
 #include "math/vec.h"
+#include "shapes/curve_contact.h"
 
 #include <algorithm>
 #include <array>
@@ -88,12 +89,7 @@ public:
     const Vec2& hi() const { return box_.hi; }
     const FlatBox& box() const { return box_; }
 
-    /// A point on a piece that a line is known to pass through.
-    struct Contact {
-        uint32_t piece = 0;
-        double w = 0;
-        double distance = 0;
-    };
+    using Contact = CurveContact;
     /// The point of the curves that is nearest to `p`, if it is nearer than `within`; else distance is
     /// `within`.
     Contact nearest(const Vec2& p, double within = std::numeric_limits<double>::infinity()) const;

@@ -191,27 +191,13 @@ TurnedPieces::Contact TurnedPieces::nearest_on(uint32_t index, const Vec2& p) co
     return best;
 }
 
-/// Gauss and Newton from w, whose point is `at`.
-TurnedPieces::Contact TurnedPieces::settle(uint32_t index, const Vec2& p, double w, Vec2 at) const {
+TurnedPieces::Contact TurnedPieces::settle(uint32_t index, const Vec2& p, double w, const Vec2& at) const {
     const TurnedPiece& piece = pieces_[index];
-    Contact best{index, w, glm::length(at - p)};
-    for (int i = 0; i < 20; ++i) {
-        Vec2 along = piece.slope(w);
-        if (at.x > 0.0) along.x /= at.x;
-        const double length = glm::dot(along, along);
-        if (!(length > 0.0) || !std::isfinite(length)) break;
-        const double next = std::clamp(w + glm::dot(p - at, along) / length, 0.0, 1.0);
-        if (next == w) break;
-        // The point lies on the curve or close to it, so that the steps shrink quadratically.
-        constexpr double settled = 1e-9;
-        const bool last = std::abs(next - w) <= settled;
-        w = next;
-        at = piece.at(w);
-        const double d = glm::length(at - p);
-        if (d < best.distance) best = {index, w, d};
-        if (last) break;
-    }
-    return best;
+    return settle_on_curve(piece, index, p, w, at, [&](double at_w, const Vec2& here) {
+        Vec2 along = piece.slope(at_w);
+        if (here.x > 0.0) along.x /= here.x;
+        return along;
+    });
 }
 
 TurnedPieces::Contact TurnedPieces::nearest(const Vec2& p, double within) const {

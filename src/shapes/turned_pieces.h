@@ -1,6 +1,7 @@
 #pragma once
 #include "math/range_tree.h"
 #include "math/vec.h"
+#include "shapes/curve_contact.h"
 
 #include <array>
 #include <cstdint>
@@ -55,13 +56,9 @@ public:
 
     const std::vector<TurnedPiece>& all() const { return pieces_; }
 
-    /// The point of the curve (radius, height) nearest to a point.
-    struct Contact {
-        uint32_t piece = 0;
-        double w = 0;
-        double distance = 0;
-    };
-    /// If it is nearer than `within`; else the distance is `within`.
+    using Contact = CurveContact;
+    /// The point of the curve (radius, height) nearest to a point, if it is nearer than `within`; else the
+    /// distance is `within`.
     Contact nearest(const Vec2& p, double within) const;
     Contact nearest_on(uint32_t piece, const Vec2& p) const;
 
@@ -95,7 +92,7 @@ private:
     static constexpr size_t sample_count = 17;
 
     static Box box_of(const TurnedPiece& piece);
-    Contact settle(uint32_t piece, const Vec2& p, double w, Vec2 at) const;
+    Contact settle(uint32_t piece, const Vec2& p, double w, const Vec2& at) const;
     int cross_level(const TurnedLine& line, uint32_t piece, double own, std::array<Hit, 12>& hits) const;
 
     std::vector<TurnedPiece> pieces_;
