@@ -127,7 +127,8 @@ void fill_hit(const Geometry::Parts& parts, const RayQuery& query, Hit& hit) {
     hit.t = hit.crossing.t;
     hit.point = ray.at(hit.t);
     if (leaf.in_world_space) {
-        hit.normal = leaf.shape->normal(hit.point, hit.crossing);
+        // In its place: a copy would wait for what has only just been stored in other pieces.
+        new (&hit.normal) Vec3(leaf.shape->normal(hit.point, hit.crossing));
     } else {
         const Vec3 p = leaf.object_from_world.point(hit.point);
         hit.normal = leaf.object_from_world.transposed_direction(leaf.shape->normal(p, hit.crossing));
@@ -169,16 +170,16 @@ bool Geometry::candidates(const RayBundle& bundle, uint8_t mask, uint32_t left, 
     return out.boxes.gather(p.tree, bundle, mask, p.boxed(left));
 }
 
-Candidates Geometry::candidates(const Candidates& wider, const RayBundle& bundle, uint32_t left) const {
+void Geometry::candidates(const Candidates& wider, const RayBundle& bundle, uint32_t left,
+                          Candidates& out) const {
     const Parts& p = *parts;
-    Candidates out;
+    out.listed_count = 0;
     for (size_t i = 0; i < wider.listed_count; ++i) {
         const uint32_t element = wider.listed[i];
         if (p.elements[element].leaf != left && !p.passes_by(element, bundle))
             out.listed[out.listed_count++] = element;
     }
     out.boxes.gather(wider.boxes, bundle, p.boxed(left));
-    return out;
 }
 
 bool Geometry::closest(const RayQuery& query, Hit& hit, const Candidates* candidates) const {
@@ -192,7 +193,9 @@ bool Geometry::closest(const RayQuery& query, Hit& hit, const Candidates* candid
         if (hit.leaf != no_leaf && crossing.t == t_best && leaf >= hit.leaf) return;
         t_best = crossing.t;
         hit.leaf = leaf;
-        hit.crossing = crossing;
+        hit.crossing.t = crossing.t;
+        hit.crossing.part = crossing.part;
+        hit.crossing.at = crossing.at;
     };
     const auto try_listed = [&](uint32_t i) {
         if (search.test_listed<false>(i, t_best, crossing)) take(i);

@@ -19,7 +19,7 @@ public:
     bool candidates(const RayBundle& bundle, uint8_t mask, uint32_t left, Candidates& out) const;
 
     /// What of `wider` the rays of a narrower bundle may meet.
-    Candidates candidates(const Candidates& wider, const RayBundle& bundle, uint32_t left) const;
+    void candidates(const Candidates& wider, const RayBundle& bundle, uint32_t left, Candidates& out) const;
 
     /// True if a ray that starts on the leaf cannot meet it again. `outward`: it goes to the leaf's outer
     /// side, and not along the surface.

@@ -10,34 +10,25 @@ namespace {
 /// below the box's high plane and its upper line above the low plane: six linear conditions on s.
 class BoxBundle {
 public:
-    BoxBundle(const RayBundle& bundle, const Vec3& center, float reach) {
-        far_ = static_cast<float>(std::min(bundle.far, most)) * (1.0f + margin);
-        for (int axis = 0; axis < 3; ++axis) {
-            const double lo = bundle.origins.lo[axis] - center[axis];
-            const double hi = bundle.origins.hi[axis] - center[axis];
-            // Far more than what single precision rounds away below.
-            const double error = margin * (std::max(std::abs(lo), std::abs(hi)) + static_cast<double>(reach));
-            const double down = bundle.lower[axis];
-            const double up = bundle.upper[axis];
-            const double slope_error = margin * std::max(std::abs(down), std::abs(up));
-            lower_[axis] = Line(lo - error, down - slope_error);
-            upper_[axis] = Line(hi + error, up + slope_error);
-        }
-    }
+    BoxBundle(const RayBundle& bundle, const Vec3& center, float reach)
+        : axes_{bounds(bundle, center, reach, 0), bounds(bundle, center, reach, 1),
+                bounds(bundle, center, reach, 2)},
+          far_(static_cast<float>(std::min(bundle.far, most)) * (1.0f + margin)) {}
 
     unsigned meets(const float planes[3][2][4], float near_of[4]) const {
         __m128 enter = _mm_setzero_ps();
         __m128 leave = _mm_set1_ps(far_);
         for (size_t axis = 0; axis < 3; ++axis) {
-            const __m128 low = lower_[axis].reaches(_mm_load_ps(planes[axis][1]));
-            const __m128 high = upper_[axis].reaches(_mm_load_ps(planes[axis][0]));
+            const Axis& a = axes_[axis];
+            const __m128 low = a.lower.reaches(_mm_load_ps(planes[axis][1]));
+            const __m128 high = a.upper.reaches(_mm_load_ps(planes[axis][0]));
             // NaN (0 times infinity) leaves the second operand.
-            if (lower_[axis].rises) {
+            if (a.lower.rises) {
                 leave = _mm_min_ps(low, leave);
             } else {
                 enter = _mm_max_ps(low, enter);
             }
-            if (upper_[axis].rises) {
+            if (a.upper.rises) {
                 enter = _mm_max_ps(high, enter);
             } else {
                 leave = _mm_min_ps(high, leave);
@@ -52,21 +43,32 @@ private:
     static constexpr float margin = 0x1p-19f;
 
     struct Line {
-        Line() = default;
-        Line(double at_0, double slope) {
-            from = _mm_set1_ps(static_cast<float>(at_0));
-            const auto narrow = static_cast<float>(slope);
-            rises = !std::signbit(narrow);
-            inverse = _mm_set1_ps(1.0f / narrow);
-        }
+        Line(double at_0, double slope)
+            : from(_mm_set1_ps(static_cast<float>(at_0))),
+              inverse(_mm_set1_ps(1.0f / static_cast<float>(slope))),
+              rises(!std::signbit(static_cast<float>(slope))) {}
         /// The parameter at which the line comes to each of four planes.
         __m128 reaches(__m128 plane) const { return _mm_mul_ps(_mm_sub_ps(plane, from), inverse); }
-        __m128 from = _mm_setzero_ps();
-        __m128 inverse = _mm_setzero_ps();
-        bool rises = false;
+        __m128 from;
+        __m128 inverse;
+        bool rises;
     };
-    std::array<Line, 3> lower_;
-    std::array<Line, 3> upper_;
+    struct Axis {
+        Line lower;
+        Line upper;
+    };
+    static Axis bounds(const RayBundle& bundle, const Vec3& center, float reach, int axis) {
+        const double lo = bundle.origins.lo[axis] - center[axis];
+        const double hi = bundle.origins.hi[axis] - center[axis];
+        // Far more than what single precision rounds away above.
+        const double error = margin * (std::max(std::abs(lo), std::abs(hi)) + static_cast<double>(reach));
+        const double down = bundle.lower[axis];
+        const double up = bundle.upper[axis];
+        const double slope_error = margin * std::max(std::abs(down), std::abs(up));
+        return {Line(lo - error, down - slope_error), Line(hi + error, up + slope_error)};
+    }
+
+    std::array<Axis, 3> axes_;
     float far_;
 };
 

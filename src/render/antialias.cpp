@@ -3,6 +3,7 @@
 #include "base/scratch.h"
 #include "math/jitter.h"
 #include "math/random.h"
+#include "render/block_borders.h"
 
 #include <algorithm>
 #include <bit>
@@ -23,11 +24,8 @@ void Sampler::sample(std::span<const Vec2> positions, std::span<Radiance> out) {
     if (lens_.is_open()) return sample_through_lens(positions, out);
     Scratch::Scope memory(thread_scratch());
     const auto batch = memory.take<CameraRay>(positions.size());
-    for (size_t i = 0; i < positions.size(); ++i) {
-        const Vec2& p = positions[i];
-        batch[i].exists = rays_.at(p.x, p.y, batch[i].ray);
-        batch[i].seed = seed_of(p);
-    }
+    rays_.at(positions, batch);
+    for (size_t i = 0; i < positions.size(); ++i) batch[i].seed = seed_of(positions[i]);
     integrator_.trace(batch, out, counters_);
 }
 
@@ -81,10 +79,12 @@ void render_plain(Sampler& sampler, const PixelBlock& block, std::span<Radiance>
 class NeighbourMethod {
 public:
     NeighbourMethod(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
-                    const SampleDistance& distance)
+                    const SampleDistance& distance, BlockBorders* borders)
         : sampler_(sampler),
+          block_(block),
           options_(options),
           distance_(distance),
+          borders_(borders),
           x0_(block.x0 - 1),
           y0_(block.y0 - 1),
           width_(block.width() + 1),
@@ -113,13 +113,39 @@ private:
 
     void trace_centers() {
         Scratch::Scope memory(thread_scratch());
+        const auto centers = memory.take<Radiance>(count());
+        const auto known = memory.take<uint8_t>(count(), uint8_t{0});
+        if (borders_) take_borders(centers, known);
         const auto positions = memory.take<Vec2>(count());
+        const auto places = memory.take<size_t>(count());
+        size_t traced = 0;
         for (int y = 0; y < height_; ++y) {
-            for (int x = 0; x < width_; ++x) positions[index(x, y)] = {x + x0_, y + y0_};
+            for (int x = 0; x < width_; ++x) {
+                if (known[index(x, y)]) continue;
+                places[traced] = index(x, y);
+                positions[traced++] = {x + x0_, y + y0_};
+            }
         }
-        const auto samples = memory.take<Radiance>(count());
-        sampler_.sample(positions, samples);
-        for (size_t i = 0; i < count(); ++i) center_[i] = distance_.comparable(samples[i]);
+        const auto samples = memory.take<Radiance>(traced);
+        sampler_.sample(positions.first(traced), samples);
+        for (size_t i = 0; i < traced; ++i) centers[places[i]] = samples[i];
+        if (borders_) borders_->keep(block_, centers.subspan(index(1, 1)), static_cast<size_t>(width_));
+        // Made in their place: copies would wait for what has only just been stored in other pieces.
+        for (size_t i = 0; i < count(); ++i)
+            ::new (&center_[i]) ComparableSample(distance_.comparable(centers[i]));
+    }
+
+    /// What the blocks to the left and above have traced already.
+    void take_borders(std::span<Radiance> centers, std::span<uint8_t> known) const {
+        const auto take = [&](std::span<const Radiance> border, size_t first, size_t step) {
+            for (size_t i = 0; i < border.size(); ++i) {
+                centers[first + i * step] = border[i];
+                known[first + i * step] = 1;
+            }
+        };
+        take(borders_->above_left_of(block_), 0, 1);
+        take(borders_->above(block_), 1, 1);
+        take(borders_->left_of(block_), index(0, 1), static_cast<size_t>(width_));
     }
 
     /// True if every wanted pixel had its samples.
@@ -191,8 +217,10 @@ private:
     }
 
     Sampler& sampler_;
+    const PixelBlock& block_;
     const AntialiasOptions& options_;
     const SampleDistance& distance_;
+    BlockBorders* borders_;
     int x0_;
     int y0_;
     int width_;
@@ -358,10 +386,10 @@ private:
 }  // namespace
 
 void render_block(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
-                  const SampleDistance& distance, std::span<Radiance> out) {
+                  const SampleDistance& distance, BlockBorders* borders, std::span<Radiance> out) {
     switch (options.method) {
         case 1:
-            NeighbourMethod(sampler, block, options, distance).render(out);
+            NeighbourMethod(sampler, block, options, distance, borders).render(out);
             break;
         case 2:
             CornerMethod(sampler, block, options, distance).render(out);

@@ -44,9 +44,11 @@ private:
     RayCounters& counters_;
 };
 
+class BlockBorders;
+
 /// Renders one block; `out` gets its pixels row by row. The result depends on the block's place, as in the
-/// reference, but not on threads or batches.
+/// reference, but not on threads or batches. `borders`: what other blocks know already, or null.
 void render_block(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
-                  const SampleDistance& distance, std::span<Radiance> out);
+                  const SampleDistance& distance, BlockBorders* borders, std::span<Radiance> out);
 
 }  // namespace rb

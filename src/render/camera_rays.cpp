@@ -1,5 +1,7 @@
 #include "render/camera_rays.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rb {
@@ -29,6 +31,30 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
       right_length_(glm::length(camera.right)),
       up_length_(glm::length(camera.up)),
       angle_(camera.angle_deg * pi / 180.0) {}
+
+void CameraRays::at(std::span<const Vec2> positions, std::span<CameraRay> out) const {
+    if (camera_.kind != CameraKind::perspective) {
+        for (size_t i = 0; i < positions.size(); ++i)
+            out[i].exists = at(positions[i].x, positions[i].y, out[i].ray);
+        return;
+    }
+    // Roots and divisions of a few directions at once; otherwise they are most of the work.
+    constexpr size_t few = 32;
+    std::array<double, few> scales;
+    for (size_t begin = 0; begin < positions.size(); begin += few) {
+        const size_t count = std::min(few, positions.size() - begin);
+        scales.fill(1.0);
+        for (size_t i = 0; i < count; ++i) {
+            CameraRay& to = out[begin + i];
+            to.exists = true;
+            to.ray.origin = camera_.location;
+            to.ray.direction = flat_direction(positions[begin + i]);
+            scales[i] = glm::dot(to.ray.direction, to.ray.direction);
+        }
+        for (double& scale : scales) scale = 1.0 / std::sqrt(scale);
+        for (size_t i = 0; i < count; ++i) out[begin + i].ray.direction *= scales[i];
+    }
+}
 
 bool CameraRays::other_at(double x0, double y0, Ray& ray) const {
     const auto direction = curved_direction(x0, y0);

@@ -1,8 +1,10 @@
 #pragma once
 #include "math/ray.h"
 #include "scene/camera.h"
+#include "shade/integrator.h"
 
 #include <optional>
+#include <span>
 
 namespace rb {
 
@@ -15,13 +17,15 @@ public:
     /// grows to the right, y downward. False where this kind of camera makes no ray. The direction is unit
     /// length.
     bool at(double x, double y, Ray& ray) const {
-        const double x0 = (x + 0.5) / width_ - 0.5;
-        const double y0 = 0.5 - (y + 0.5) / height_;
-        if (camera_.kind != CameraKind::perspective) return other_at(x0, y0, ray);
+        if (camera_.kind != CameraKind::perspective)
+            return other_at((x + 0.5) / width_ - 0.5, 0.5 - (y + 0.5) / height_, ray);
         ray.origin = camera_.location;
-        ray.direction = glm::normalize(camera_.direction + x0 * camera_.right + y0 * camera_.up);
+        ray.direction = glm::normalize(flat_direction({x, y}));
         return true;
     }
+
+    /// The same for many positions; leaves the seeds alone.
+    void at(std::span<const Vec2> positions, std::span<CameraRay> out) const;
 
     /// Its direction before it is made unit length; absent where there is none.
     std::optional<Vec3> direction(double x, double y) const {
@@ -29,6 +33,12 @@ public:
     }
 
 private:
+    /// Of a perspective camera, before it is made unit length.
+    Vec3 flat_direction(const Vec2& p) const {
+        const double x0 = (p.x + 0.5) / width_ - 0.5;
+        const double y0 = 0.5 - (p.y + 0.5) / height_;
+        return camera_.direction + x0 * camera_.right + y0 * camera_.up;
+    }
     /// For the kinds other than perspective.
     bool other_at(double x0, double y0, Ray& ray) const;
     /// For the kinds whose rays follow a curve.

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/scratch.h"
+#include "render/block_borders.h"
 
 #include <mutex>
 
@@ -44,6 +45,9 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
     const SampleDistance distance(world.settings.assumed_gamma, options.antialias.gamma);
     const std::vector<PixelBlock> blocks = blocks_of(region, options.block_size);
 
+    BlockBorders borders(region, options.block_size);
+    BlockBorders* const shared_borders = options.shading.skip_unneeded ? &borders : nullptr;
+
     std::mutex mutex;
     size_t done = 0;
     parallel_for(blocks.size(), options.threads, [&](size_t i) {
@@ -61,7 +65,7 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
         Scratch::Scope memory(thread_scratch());
         const auto pixels = memory.take<Radiance>(count);
         Sampler sampler(integrator, rays, lens, counters);
-        render_block(sampler, block, options.antialias, distance, pixels);
+        render_block(sampler, block, options.antialias, distance, shared_borders, pixels);
 
         const std::lock_guard lock(mutex);
         for (int y = block.y0; y < block.y1; ++y) {

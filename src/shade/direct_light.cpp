@@ -180,12 +180,11 @@ size_t DirectLight::find_lit(const FinishProgram& finish, size_t light, std::spa
         Reached& kept = reached[count];
         kept.row = static_cast<uint32_t>(i);
         kept.color = source.color();
-        const LightVector way = ways.at(i);
         if (source.attenuates()) {
-            kept.color *= static_cast<float>(source.attenuation(columns.point(i), way));
+            kept.color *= static_cast<float>(source.attenuation(columns.point(i), ways.at(i)));
             if (is_black(kept.color)) continue;
         }
-        meeting.direction = way.direction;
+        meeting.direction = {ways.x[i], ways.y[i], ways.z[i]};
         meeting.crand = crand(finish, light, row);
         kept.share = reflected_light(finish, row.place, meeting);
         count += kept.share != Rgb(0.0f) ? 1 : 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <emmintrin.h>
 
 namespace rb {
 
@@ -47,6 +48,43 @@ LightProgram::LightProgram(const Light& light) : light_(light) {
 uint32_t LightProgram::sample_count() const {
     if (!light_.is_area) return 1;
     return static_cast<uint32_t>(light_.area.size1) * static_cast<uint32_t>(light_.area.size2);
+}
+
+void LightProgram::toward(const Vec3& p, std::span<const Vec3> offsets, std::span<LightVector> ways) const {
+    if (directed_) {
+        for (size_t k = 0; k < offsets.size(); ++k) {
+            ways[k] = along_axis(p, offsets[k]);
+        }
+        return;
+    }
+    const __m128d one = _mm_set1_pd(1.0);
+    for (size_t k = 0; k < offsets.size(); k += 2) {
+        const size_t next = std::min(k + 1, offsets.size() - 1);
+        const auto coordinate = [&](int axis) {
+            const __m128d offset = _mm_setr_pd(offsets[k][axis], offsets[next][axis]);
+            const __m128d sample = _mm_add_pd(_mm_set1_pd(light_.location[axis]), offset);
+            return _mm_sub_pd(sample, _mm_set1_pd(p[axis]));
+        };
+        const __m128d x = coordinate(0);
+        const __m128d y = coordinate(1);
+        const __m128d z = coordinate(2);
+        const __m128d square = _mm_add_pd(_mm_add_pd(_mm_mul_pd(x, x), _mm_mul_pd(y, y)), _mm_mul_pd(z, z));
+        const __m128d distance = _mm_sqrt_pd(square);
+        const __m128d is_zero = _mm_cmpeq_pd(distance, _mm_setzero_pd());
+        const __m128d scale = _mm_div_pd(one, _mm_or_pd(distance, _mm_and_pd(is_zero, one)));
+        const __m128d unit_x = _mm_mul_pd(x, scale);
+        const __m128d unit_y = _mm_mul_pd(y, scale);
+        const __m128d unit_z = _mm_mul_pd(z, scale);
+        // In the pieces in which a LightVector is read.
+        const auto store = [](LightVector& way, __m128d xy, double to_z, double length) {
+            _mm_storeu_pd(&way.direction.x, xy);
+            way.direction.z = to_z;
+            way.distance = length;
+        };
+        store(ways[next], _mm_unpackhi_pd(unit_x, unit_y), _mm_cvtsd_f64(_mm_unpackhi_pd(unit_z, unit_z)),
+              _mm_cvtsd_f64(_mm_unpackhi_pd(distance, distance)));
+        store(ways[k], _mm_unpacklo_pd(unit_x, unit_y), _mm_cvtsd_f64(unit_z), _mm_cvtsd_f64(distance));
+    }
 }
 
 LightVector LightProgram::along_axis(const Vec3& p, const Vec3& offset) const {

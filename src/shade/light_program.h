@@ -2,6 +2,7 @@
 #include "scene/light.h"
 
 #include <cmath>
+#include <span>
 
 namespace rb {
 
@@ -39,6 +40,8 @@ public:
         const double distance = glm::length(way);
         return {distance > 0.0 ? way * (1.0 / distance) : way, distance};
     }
+    /// The same for several offsets, two at a time.
+    void toward(const Vec3& p, std::span<const Vec3> offsets, std::span<LightVector> ways) const;
     /// attenuation() may be other than 1.
     bool attenuates() const { return attenuates_; }
     /// Cone and fading with distance; 0 outside the cone.

@@ -134,10 +134,23 @@ void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgr
     const Vec3& direction = state_.rays[ray_index].ray.direction;
     const bool from_inside = glm::dot(hit.normal, direction) > 0.0;
     const size_t index = state_.hits.size();
-    state_.hits.push_back({hit.point, from_inside ? -hit.normal : hit.normal, direction, hit.t, hit.error,
-                           ray_index, hit.leaf, hit.crossing.part,
-                           from_inside ? surface.interior_look : surface.look, surface.interior, weight,
-                           alpha, surface.uv_mapping, surface.double_illuminate, from_inside});
+    // Piece by piece in its place: a copy would wait for what has only just been stored.
+    HitPoint& kept = state_.hits.emplace_back();
+    kept.point = hit.point;
+    kept.normal = from_inside ? -hit.normal : hit.normal;
+    kept.direction = direction;
+    kept.t = hit.t;
+    kept.error = hit.error;
+    kept.ray = ray_index;
+    kept.leaf = hit.leaf;
+    kept.part = hit.crossing.part;
+    kept.look = from_inside ? surface.interior_look : surface.look;
+    kept.interior = surface.interior;
+    kept.weight = weight;
+    kept.alpha = alpha;
+    kept.uv_mapping = surface.uv_mapping;
+    kept.double_illuminate = surface.double_illuminate;
+    kept.from_inside = from_inside;
     if (!surface.needs_uv) return;
     if (state_.uv.size() <= index) state_.uv.resize(index + 1);
     state_.uv[index] = program_.geometry.uv(hit);

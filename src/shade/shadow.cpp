@@ -220,7 +220,7 @@ const Candidates* ShadowTracer::narrowed(const LightProgram& light, const HitPoi
                                                 {center - light.area_reach(), center + light.area_reach()});
     const uint32_t left = leaves_for_good(light, hit, to_center) ? hit.leaf : no_leaf;
     if (wider) {
-        memory = program_.geometry.candidates(*wider, bundle, left);
+        program_.geometry.candidates(*wider, bundle, left, memory);
         return &memory;
     }
     return program_.geometry.candidates(bundle, program_.shadow_mask, left, memory) ? &memory : nullptr;
@@ -254,18 +254,22 @@ Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector
 /// out together, so that roots and divisions overlap.
 void ShadowTracer::look_at_corners(Grid& grid, const std::array<GridCorner, 4>& corners) {
     const LightProgram& light = program_.lights[grid.light];
-    for (size_t k = 0; k < 4; ++k) {
-        const GridCorner& corner = corners[k];
+    std::array<uint32_t, 4> unknown;
+    std::array<Vec3, 4> offsets;
+    size_t count = 0;
+    for (const GridCorner& corner : corners) {
+        // The corners of a narrow cell are the same.
         if (grid.known[corner.index]) continue;
-        grid.ways[k] = light.toward(grid.hit.point, grid.sampler.offset(corner.u, corner.v));
+        grid.known[corner.index] = 1;
+        unknown[count] = corner.index;
+        offsets[count++] = grid.sampler.offset(corner.u, corner.v);
     }
-    for (size_t k = 0; k < 4; ++k) {
-        const uint32_t index = corners[k].index;
-        if (grid.known[index]) continue;
-        grid.known[index] = 1;
+    if (count == 0) return;
+    light.toward(grid.hit.point, std::span(offsets).first(count), grid.ways);
+    for (size_t k = 0; k < count; ++k) {
         grid.query.ray.direction = grid.ways[k].direction;
-        grid.arrived[index] = along(light.light(), grid.hit, grid.query, grid.ways[k].distance, grid.color,
-                                    grid.candidates, grid.blockers[index]);
+        grid.arrived[unknown[k]] = along(light.light(), grid.hit, grid.query, grid.ways[k].distance,
+                                         grid.color, grid.candidates, grid.blockers[unknown[k]]);
     }
 }
 

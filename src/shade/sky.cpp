@@ -22,16 +22,17 @@ SkyProgram::SkyProgram(const std::optional<SkySphere>& sky, const std::optional<
     for (size_t i = sky->pigments.size(); i-- > 0;) pigments_.emplace_back(*sky->pigments[i], settings);
 }
 
-SkyLight SkyProgram::over_background(Rgb color, Rgb filter, bool alpha) const {
+void SkyProgram::put_background(const Rgb& filter, bool alpha, SkyLight& light) const {
     const Ground& ground = ground_[alpha ? 1 : 0];
-    color += ground.light * filter;
-    filter *= ground.passed;
-    return {color, std::min(1.0f, std::abs(grey(filter)))};
+    light.rgb += ground.light * filter;
+    light.transmit = std::min(1.0f, std::abs(grey(filter * ground.passed)));
 }
 
 SkyLight SkyProgram::plain_background(bool alpha) const {
     if (before_37_) return alpha ? SkyLight{Rgb(0.0f), 1.0f} : SkyLight{background_.rgb(), 0.0f};
-    return over_background(Rgb(0.0f), Rgb(1.0f), alpha);
+    SkyLight light;
+    put_background(Rgb(1.0f), alpha, light);
+    return light;
 }
 
 void SkyProgram::evaluate(std::span<const Vec3> directions, std::span<const uint8_t> shows_alpha,
@@ -64,7 +65,7 @@ void SkyProgram::evaluate(std::span<const Vec3> directions, std::span<const uint
     for (size_t i = 0; i < out.size(); ++i) {
         const bool alpha = shows_alpha[i] != 0;
         if (!before_37_) {
-            out[i] = over_background(out[i].rgb, filters[i].rgb(), alpha);
+            put_background(filters[i].rgb(), alpha, out[i]);
         } else if (alpha) {
             out[i] = {Rgb(0.0f), 1.0f};
         } else {

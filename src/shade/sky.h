@@ -27,7 +27,8 @@ public:
                   std::span<SkyLight> out) const;
 
 private:
-    SkyLight over_background(Rgb color, Rgb filter, bool alpha) const;
+    /// Adds what is behind `light`, of which the sky lets `filter` through.
+    void put_background(const Rgb& filter, bool alpha, SkyLight& light) const;
     SkyLight plain_background(bool alpha) const;
 
     std::vector<PigmentProgram> pigments_;  ///< top first

@@ -30,6 +30,8 @@ private:
 /// A ray on its way, carrying what the light that it finds counts for. Whitted shading is linear in that
 /// light, so nothing has to wait for it.
 struct PathRay {
+    PathRay() {}  // NOLINT: a defaulted one would first fill all of it with zeros
+
     Ray ray;
     double origin_error = 0;
     uint32_t origin_leaf = no_leaf;
@@ -49,6 +51,8 @@ struct PathRay {
 
 /// Where a ray of the current wave met a surface.
 struct HitPoint {
+    HitPoint() {}  // NOLINT: as above
+
     Vec3 point{0.0};
     Vec3 normal{0.0};  ///< unit, turned towards the ray
     Vec3 direction{0.0};

@@ -52,9 +52,10 @@ private:
 
         void operator()(double t, uint32_t part, const Vec2& at) {
             if (!(t > t_min && t <= best)) return;
-            const Crossing crossing{t, part, at};
-            if (filter && !filter->counts(crossing)) return;
-            nearest = crossing;
+            if (filter && !filter->counts({t, part, at})) return;
+            nearest.t = t;
+            nearest.part = part;
+            nearest.at = at;
             best = t;
             found = true;
         }

@@ -2,6 +2,7 @@
 #include "render/camera_rays.h"
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,26 @@ TEST(CameraRays, PerspectiveCorners) {
     expect_near(ray_at(rays, -0.5, -0.5).direction, glm::normalize(Vec3{-0.665, 0.5, 1}));
     expect_near(ray_at(rays, 3.5, 1.5).direction, glm::normalize(Vec3{0.665, -0.5, 1}));
     expect_near(ray_at(rays, 1.5, 0.5).direction, {0, 0, 1});
+}
+
+TEST(CameraRays, ManyAtOnceAreTheSameBitForBit) {
+    Camera camera;
+    camera.location = {1, 2, 3};
+    std::vector<Vec2> positions;
+    for (int i = 0; i < 77; ++i) positions.emplace_back(0.37 * i, 5.0 - 0.11 * i);
+    for (const CameraKind kind : {CameraKind::perspective, CameraKind::fisheye}) {
+        camera.kind = kind;
+        const CameraRays rays(camera, 30, 20);
+        std::vector<CameraRay> many(positions.size());
+        rays.at(positions, many);
+        for (size_t i = 0; i < positions.size(); ++i) {
+            Ray one;
+            ASSERT_EQ(rays.at(positions[i].x, positions[i].y, one), many[i].exists);
+            if (!many[i].exists) continue;
+            EXPECT_EQ(one.origin, many[i].ray.origin);
+            EXPECT_EQ(one.direction, many[i].ray.direction);
+        }
+    }
 }
 
 TEST(CameraRays, OrthographicMovesTheOrigin) {

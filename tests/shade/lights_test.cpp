@@ -1,5 +1,6 @@
 // Measured scenes of lights and shadows (spec: shading 22), built in code.
 #include "scene_maker.h"
+#include "shade/light_program.h"
 
 #include <cmath>
 #include <string>
@@ -121,6 +122,28 @@ TEST(Lights, AreaIlluminationAndAbsoluteThreshold) {
 }
 
 // The mean over many seeds must be that of the language's own jitter: cells of the grid, uniformly.
+TEST(Lights, SeveralWaysAtOnceAreTheSameBitForBit) {
+    Light light;
+    light.location = {3, 5, -4};
+    for (const LightKind kind : {LightKind::point, LightKind::cylinder}) {
+        light.kind = kind;
+        light.point_at = Vec3{0.3, -1, 2};
+        const LightProgram program(light);
+        const Vec3 p{0.1, 0.2, 0.3};
+        // The last one leads from the light to itself.
+        const std::vector<Vec3> offsets{{0.5, 0.25, 1}, {-0.1, 0.7, 0.3}, {1, 1, 1}, p - light.location};
+        for (size_t count = 1; count <= offsets.size(); ++count) {
+            std::vector<LightVector> several(count);
+            program.toward(p, std::span(offsets).first(count), several);
+            for (size_t k = 0; k < count; ++k) {
+                const LightVector one = program.toward(p, offsets[k]);
+                EXPECT_EQ(several[k].direction, one.direction);
+                EXPECT_EQ(several[k].distance, one.distance);
+            }
+        }
+    }
+}
+
 TEST(Lights, JitterKeepsTheDensityOfTheGrid) {
     SceneMaker s = half_shaded_area([](AreaGrid& g) { g.size1 = g.size2 = 4, g.jitter = true; });
     std::vector<CameraRay> rays(4000);
