@@ -60,6 +60,9 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
     p.element_of_leaf.assign(leaves.size(), no_leaf);
     std::vector<BoxTree::Item> items;
     std::vector<uint32_t> treed;
+    items.reserve(leaves.size());
+    p.errors.reserve(leaves.size());
+    p.elements.reserve(leaves.size());
     const auto add = [&](uint32_t i) {
         p.element_of_leaf[i] = static_cast<uint32_t>(p.elements.size());
         p.elements.push_back(element_of(leaves[i], i, p.flat.solids));
@@ -84,6 +87,7 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
         p.planes.push_back(plane);
     }
     p.tree = BoxTree(items);
+    items = {};  // as large as the elements that now follow
     for (const uint32_t item : p.tree.order()) add(treed[item]);
     return geometry;
 }

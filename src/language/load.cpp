@@ -150,7 +150,7 @@ bool read_one(Session& session, Parser& parser, const BlockSink& sink) {
         const auto* thing = std::get_if<Thing>(&operand.value);
         const auto* object = thing ? std::get_if<ObjectPtr>(thing) : nullptr;
         if (!object) fail_statement(session, token);
-        auto copy = std::make_shared<Object>(**object);
+        auto copy = make_object(**object);
         if (!std::holds_alternative<LightPtr>(copy->geometry))
             copy->fallback_texture = session.default_texture;
         session.scene.objects.push_back(std::move(copy));

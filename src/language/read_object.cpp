@@ -185,7 +185,7 @@ private:
         }
         if (!map.is_identity()) {
             for (size_t i = before; i < list.size(); ++i) {
-                auto moved = std::make_shared<Object>(*list[i]);
+                auto moved = make_object(*list[i]);
                 transform_object(*moved, map);
                 list[i] = std::move(moved);
             }
@@ -291,7 +291,7 @@ void read_photons(BlockReader& in) {
 
 std::shared_ptr<Object> read_new_object(const Block& block, const ReadContext& context) {
     BlockReader in(block, context);
-    auto object = std::make_shared<Object>();
+    auto object = make_object();
     object->radiosity_importance = static_cast<float>(context.session->default_importance);
     const std::string_view keyword = block.keyword;
     const auto csg = csg_kind(keyword);

@@ -205,7 +205,7 @@ void take_object_pattern(BlockReader& outer, TakenPattern& out) {
     Transform map;
     while (take_transformation(in, map)) {
     }
-    auto moved = std::make_shared<Object>(*object);
+    auto moved = make_object(*object);
     transform_object(*moved, map);
     GeometryOracle* oracle = context.session->options.oracle;
     if (oracle) out.pattern = oracle->object_pattern(moved);

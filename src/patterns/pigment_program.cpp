@@ -3,6 +3,7 @@
 #include "patterns/registry.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace rb {
 
@@ -27,108 +28,132 @@ bool usable(const Color& quick) {
 
 }  // namespace
 
+/// Pattern and map, with what the map holds.
+struct PigmentProgram::Map {
+    enum class Kind { colors, children, average };
+
+    /// True if there is something to choose from.
+    bool take(const Pigment& pigment, const PatternSettings& settings);
+    void evaluate(const PatternSamples& samples, std::span<Color> out) const;
+
+    Kind kind = Kind::colors;
+    bool uv_mapping = false;
+    PatternField field;
+    MapPositions positions;
+    std::vector<Color> colors;
+    std::vector<PigmentProgram> children;
+
+private:
+    void set_children(const BlendMap<PigmentPtr>& map, const PatternSettings& settings);
+    void set_colors(const ColorMap& map);
+    void evaluate_colors(const PatternSamples& carried, std::span<Color> out) const;
+    void evaluate_children(const PatternSamples& carried, std::span<Color> out) const;
+    void evaluate_average(const PatternSamples& carried, std::span<Color> out) const;
+};
+
 PigmentProgram::PigmentProgram(const Pigment& pigment, const PatternSettings& settings, bool quick) {
     if (quick && pigment.quick_color && usable(*pigment.quick_color)) {
         color_ = *pigment.quick_color;
-        return;
-    }
-    if (const auto* color = std::get_if<Color>(&pigment.source)) {
+    } else if (const auto* color = std::get_if<Color>(&pigment.source)) {
         color_ = *color;
-        return;
+    } else {
+        auto map = std::make_shared<Map>();
+        if (map->take(pigment, settings)) map_ = std::move(map);
     }
-    uv_mapping_ = pigment.uv_mapping;
+}
+
+bool PigmentProgram::Map::take(const Pigment& pigment, const PatternSettings& settings) {
+    const auto* pattern = std::get_if<PatternPtr>(&pigment.source);
     if (pigment.average) {
-        field_ = PatternField(nullptr, pigment.modifiers, settings);
-        kind_ = Kind::average;
-    } else if (const auto* pattern = std::get_if<PatternPtr>(&pigment.source); pattern && *pattern) {
-        field_ = PatternField(*pattern, pigment.modifiers, settings);
-    } else {
-        return;
+        kind = Kind::average;
+    } else if (!pattern || !*pattern) {
+        return false;
     }
-    use_map(pigment, settings);
-}
-
-void PigmentProgram::use_map(const Pigment& pigment, const PatternSettings& settings) {
+    uv_mapping = pigment.uv_mapping;
+    field = PatternField(pigment.average ? nullptr : *pattern, pigment.modifiers, settings);
     if (const auto* map = std::get_if<BlendMap<PigmentPtr>>(&pigment.map); map && !map->empty()) {
-        if (kind_ != Kind::average) kind_ = Kind::children;
-        positions_ = MapPositions::of(*map);
-        bool plain = true;
-        for (const auto& entry : *map) {
-            children_.emplace_back(*entry.value, settings);
-            plain = plain && children_.back().is_constant();
-        }
-        if (kind_ == Kind::children && plain) {
-            for (const PigmentProgram& child : children_) colors_.push_back(child.constant());
-            children_.clear();
-            kind_ = Kind::colors;
-        }
-        return;
-    }
-    if (const auto* map = std::get_if<ColorMap>(&pigment.map); map && !map->empty()) {
-        set_colors(*map);
-    } else if (kind_ == Kind::average) {
-        kind_ = Kind::constant;
+        set_children(*map, settings);
+    } else if (const auto* list = std::get_if<ColorMap>(&pigment.map); list && !list->empty()) {
+        set_colors(*list);
+    } else if (pigment.average) {
+        return false;
     } else {
-        set_colors(default_map_of(*std::get<PatternPtr>(pigment.source)));
+        set_colors(default_map_of(**pattern));
     }
+    return true;
 }
 
-void PigmentProgram::set_colors(const ColorMap& map) {
-    if (kind_ != Kind::average) kind_ = Kind::colors;
-    positions_ = MapPositions::of(map);
+void PigmentProgram::Map::set_children(const BlendMap<PigmentPtr>& map, const PatternSettings& settings) {
+    positions = MapPositions::of(map);
+    bool plain = true;
     for (const auto& entry : map) {
-        colors_.push_back(entry.value);
-        if (kind_ != Kind::average) continue;
+        children.emplace_back(*entry.value, settings);
+        plain = plain && children.back().is_constant();
+    }
+    if (kind == Kind::average) return;
+    kind = plain ? Kind::colors : Kind::children;
+    if (!plain) return;
+    for (const PigmentProgram& child : children) colors.push_back(child.constant());
+    children.clear();
+}
+
+void PigmentProgram::Map::set_colors(const ColorMap& map) {
+    positions = MapPositions::of(map);
+    for (const auto& entry : map) {
+        colors.push_back(entry.value);
+        if (kind != Kind::average) continue;
         Pigment plain;
         plain.source = entry.value;
-        children_.emplace_back(plain, PatternSettings{});
+        children.emplace_back(plain, PatternSettings{});
     }
 }
 
 bool PigmentProgram::passes_light() const {
     const auto passes = [](const Color& c) { return c.filter != 0.0f || c.transmit != 0.0f; };
-    return (kind_ == Kind::constant && passes(color_)) ||
-           std::any_of(colors_.begin(), colors_.end(), passes) ||
-           std::any_of(children_.begin(), children_.end(),
+    if (!map_) return passes(color_);
+    return std::any_of(map_->colors.begin(), map_->colors.end(), passes) ||
+           std::any_of(map_->children.begin(), map_->children.end(),
                        [](const PigmentProgram& child) { return child.passes_light(); });
 }
 
 bool PigmentProgram::needs_surface() const {
-    return uv_mapping_ || field_.needs_surface() ||
-           std::any_of(children_.begin(), children_.end(),
+    if (!map_) return false;
+    return map_->uv_mapping || map_->field.needs_surface() ||
+           std::any_of(map_->children.begin(), map_->children.end(),
                        [](const PigmentProgram& child) { return child.needs_surface(); });
 }
 
 void PigmentProgram::evaluate(const PatternSamples& samples, std::span<Color> out) const {
-    if (kind_ == Kind::constant) {
-        std::fill(out.begin(), out.end(), color_);
-        return;
-    }
+    if (map_) return map_->evaluate(samples, out);
+    std::fill(out.begin(), out.end(), color_);
+}
+
+void PigmentProgram::Map::evaluate(const PatternSamples& samples, std::span<Color> out) const {
     Scratch::Scope memory(thread_scratch());
-    const auto points = uv_mapping_ ? uv_points(samples, memory) : samples.points;
-    const PatternSamples moved = samples.at(carried(field_, points, memory));
-    switch (kind_) {
+    const auto points = uv_mapping ? uv_points(samples, memory) : samples.points;
+    const PatternSamples moved = samples.at(carried(field, points, memory));
+    switch (kind) {
         case Kind::colors:
             return evaluate_colors(moved, out);
         case Kind::children:
             return evaluate_children(moved, out);
-        default:
+        case Kind::average:
             return evaluate_average(moved, out);
     }
 }
 
-void PigmentProgram::evaluate_colors(const PatternSamples& moved, std::span<Color> out) const {
+void PigmentProgram::Map::evaluate_colors(const PatternSamples& moved, std::span<Color> out) const {
     Scratch::Scope memory(thread_scratch());
     const auto values = memory.take<double>(out.size());
-    field_.values(moved, values);
+    field.values(moved, values);
     for (size_t i = 0; i < out.size(); ++i) {
-        const MapPlace place = positions_.find(values[i]);
-        const Color& a = colors_[place.first];
+        const MapPlace place = positions.find(values[i]);
+        const Color& a = colors[place.first];
         if (place.first == place.second) {
             out[i] = a;
             continue;
         }
-        const Color& b = colors_[place.second];
+        const Color& b = colors[place.second];
         const auto t = static_cast<float>(place.t);
         out[i] = {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
                   a.blue + t * (b.blue - a.blue), a.filter + t * (b.filter - a.filter),
@@ -136,33 +161,33 @@ void PigmentProgram::evaluate_colors(const PatternSamples& moved, std::span<Colo
     }
 }
 
-void PigmentProgram::evaluate_children(const PatternSamples& moved, std::span<Color> out) const {
+void PigmentProgram::Map::evaluate_children(const PatternSamples& moved, std::span<Color> out) const {
     Scratch::Scope memory(thread_scratch());
     const auto values = memory.take<double>(out.size());
-    field_.values(moved, values);
-    const BlendParts parts = split_by_entry(positions_, values, memory);
+    field.values(moved, values);
+    const BlendParts parts = split_by_entry(positions, values, memory);
     std::fill(out.begin(), out.end(), Color{});
-    for (size_t k = 0; k < children_.size(); ++k) {
+    for (size_t k = 0; k < children.size(); ++k) {
         const auto rows = parts.rows_of(k);
         if (rows.empty()) continue;
         Scratch::Scope part_memory(thread_scratch());
-        const auto colors = part_memory.take<Color>(rows.size());
-        children_[k].evaluate(gather(moved, rows, part_memory), colors);
+        const auto part = part_memory.take<Color>(rows.size());
+        children[k].evaluate(gather(moved, rows, part_memory), part);
         const auto weights = parts.weights_of(k);
-        for (size_t i = 0; i < rows.size(); ++i) out[rows[i]] = out[rows[i]] + colors[i] * weights[i];
+        for (size_t i = 0; i < rows.size(); ++i) out[rows[i]] = out[rows[i]] + part[i] * weights[i];
     }
 }
 
-void PigmentProgram::evaluate_average(const PatternSamples& moved, std::span<Color> out) const {
+void PigmentProgram::Map::evaluate_average(const PatternSamples& moved, std::span<Color> out) const {
     Scratch::Scope memory(thread_scratch());
-    const auto colors = memory.take<Color>(out.size());
+    const auto part = memory.take<Color>(out.size());
     std::fill(out.begin(), out.end(), Color{});
     float total = 0;
-    for (size_t k = 0; k < children_.size(); ++k) {
-        const float weight = positions_.positions[k];
+    for (size_t k = 0; k < children.size(); ++k) {
+        const float weight = positions.positions[k];
         total += weight;
-        children_[k].evaluate(moved, colors);
-        for (size_t i = 0; i < out.size(); ++i) out[i] = out[i] + colors[i] * weight;
+        children[k].evaluate(moved, part);
+        for (size_t i = 0; i < out.size(); ++i) out[i] = out[i] + part[i] * weight;
     }
     if (total == 0.0f) return;
     for (Color& color : out) color = color * (1.0f / total);

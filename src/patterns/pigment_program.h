@@ -3,18 +3,17 @@
 #include "scene/texture.h"
 
 #include <memory>
-#include <vector>
 
 namespace rb {
 
 /// A pigment compiled for batches: warps, pattern, map and children as a tree of steps that each run over
-/// all points (manual 3.4.6.1).
+/// all points (manual 3.4.6.1). A plain colour, which most are, has no such tree.
 class PigmentProgram {
 public:
     /// With `quick` the quick_color stands for the whole pigment where one was given.
     PigmentProgram(const Pigment& pigment, const PatternSettings& settings, bool quick = false);
 
-    bool is_constant() const { return kind_ == Kind::constant; }
+    bool is_constant() const { return map_ == nullptr; }
     const Color& constant() const { return color_; }
     /// True if some colour of it has filter or transmit.
     bool passes_light() const;
@@ -24,20 +23,9 @@ public:
     void evaluate(const PatternSamples& samples, std::span<Color> out) const;
 
 private:
-    enum class Kind { constant, colors, children, average };
-    void use_map(const Pigment& pigment, const PatternSettings& settings);
-    void set_colors(const ColorMap& map);
-    void evaluate_colors(const PatternSamples& carried, std::span<Color> out) const;
-    void evaluate_children(const PatternSamples& carried, std::span<Color> out) const;
-    void evaluate_average(const PatternSamples& carried, std::span<Color> out) const;
-
-    Kind kind_ = Kind::constant;
-    bool uv_mapping_ = false;
-    Color color_;
-    PatternField field_;
-    MapPositions positions_;
-    std::vector<Color> colors_;
-    std::vector<PigmentProgram> children_;
+    struct Map;
+    Color color_;  ///< without a map
+    std::shared_ptr<const Map> map_;
 };
 
 }  // namespace rb

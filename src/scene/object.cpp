@@ -8,7 +8,7 @@ std::vector<ObjectPtr> transformed(const std::vector<ObjectPtr>& objects, const 
     std::vector<ObjectPtr> out;
     out.reserve(objects.size());
     for (const ObjectPtr& object : objects) {
-        auto moved = std::make_shared<Object>(*object);
+        auto moved = make_object(*object);
         transform_object(*moved, map);
         out.push_back(std::move(moved));
     }
@@ -31,7 +31,7 @@ Light transformed(const Light& light, const Transform& map) {
     out.area.axis2 = map.direction(light.area.axis2);
     for (auto* carried : {&out.looks_like, &out.projected_through}) {
         if (!*carried) continue;
-        auto moved = std::make_shared<Object>(**carried);
+        auto moved = make_object(**carried);
         transform_object(*moved, map);
         *carried = std::move(moved);
     }

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/slabs.h"
 #include "base/source.h"
 #include "scene/light.h"
 #include "scene/shape.h"
@@ -95,6 +96,13 @@ struct Object {
     std::optional<bool> hollow;
     float radiosity_importance = 1.0f;  ///< (0, 1]: share of the radiosity samples
 };
+
+/// A new object, or a copy of one. Objects are let go while the world is made of them (compile()), which
+/// should give their memory back.
+template <typename... From>
+std::shared_ptr<Object> make_object(const From&... from) {
+    return std::allocate_shared<Object>(SlabAllocator<Object>(), from...);
+}
 
 /// Applies a transformation statement to an object as the language does: geometry, bounds, clips, and what
 /// the object wears so far (not with uv_mapping). CSG children are reached through their parent's transform.

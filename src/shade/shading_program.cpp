@@ -1,7 +1,7 @@
 #include "shade/shading_program.h"
 
 #include <algorithm>
-#include <map>
+#include <unordered_map>
 
 namespace rb {
 
@@ -23,15 +23,15 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
 }
 
 void ShadingProgram::add_surfaces() {
-    const TextureSettings settings{patterns, world.settings.ambient_light, options.quality};
+    TextureCompiler compiler({patterns, world.settings.ambient_light, options.quality});
     tracks_interiors = !fog.empty() || !options.skip_unneeded;
     needs_samples = !options.skip_unneeded;
-    std::map<const TextureLayers*, uint32_t> known;
+    std::unordered_map<const TextureLayers*, uint32_t> known;
     const auto compiled = [&](const WornTexture& worn) {
         const auto [entry, is_new] =
             known.try_emplace(worn.layers.get(), static_cast<uint32_t>(textures.size()));
         if (is_new) {
-            textures.emplace_back(*worn.layers, settings);
+            textures.emplace_back(*worn.layers, compiler);
             const TextureProgram& texture = textures.back();
             tracks_interiors = tracks_interiors || texture.passes_light || texture.has_fresnel;
         }

@@ -34,24 +34,25 @@ Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place,
                    double caustics) {
     Rgb filter(1.0f);
     if (texture.is_patterned()) {
+        const TextureMapProgram& map = *texture.map;
         Scratch::Scope memory(thread_scratch());
-        const auto points = texture.uv_mapping ? uv_points(place, memory) : place.points;
-        const PatternSamples moved = place.at(carried(texture.field, points, memory));
+        const auto points = map.uv_mapping ? uv_points(place, memory) : place.points;
+        const PatternSamples moved = place.at(carried(map.field, points, memory));
         const auto of = [&](size_t k) {
-            return texture_filter(texture.children[k], moved, transform, normal, light_direction, caustics);
+            return texture_filter(map.children[k], moved, transform, normal, light_direction, caustics);
         };
-        if (texture.average) {
+        if (map.average) {
             Rgb sum(0.0f);
             float total = 0;
-            for (size_t k = 0; k < texture.children.size(); ++k) {
-                sum += texture.positions.positions[k] * of(k);
-                total += texture.positions.positions[k];
+            for (size_t k = 0; k < map.children.size(); ++k) {
+                sum += map.positions.positions[k] * of(k);
+                total += map.positions.positions[k];
             }
             return total == 0.0f ? sum : sum / total;
         }
         double value = 0;
-        texture.field.values(moved, {&value, 1});
-        const MapPlace at = texture.positions.find(value);
+        map.field.values(moved, {&value, 1});
+        const MapPlace at = map.positions.find(value);
         if (at.first == at.second) return of(at.first);
         const auto t = static_cast<float>(at.t);
         return (1.0f - t) * of(at.first) + t * of(at.second);
@@ -60,7 +61,7 @@ Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place,
         Color color;
         layer.pigment.evaluate(place, {&color, 1});
         filter *= passed(color);
-        const double exponent = layer.finish.finish.caustics ? *layer.finish.finish.caustics : caustics;
+        const double exponent = layer.finish->finish.caustics ? *layer.finish->finish.caustics : caustics;
         if (exponent == 0.0) continue;
         Vec3 n = normal;
         if (layer.normal) {

@@ -63,31 +63,32 @@ void SurfaceShader::shade_rows(const TextureProgram& texture, const Rows& rows, 
 void SurfaceShader::shade_children(const TextureProgram& texture, const Rows& rows, Chains enclosing,
                                    ShadowMemory& shadows) {
     Scratch::Scope memory(thread_scratch());
+    const TextureMapProgram& map = *texture.map;
     const SurfaceSamples surface = state_.samples();
     const PatternSamples samples{rows.points, &surface, rows.hits};
-    const auto points = texture.uv_mapping ? uv_points(samples, memory) : rows.points;
+    const auto points = map.uv_mapping ? uv_points(samples, memory) : rows.points;
     // What is mapped by surface coordinates does not follow what is around it.
-    if (texture.uv_mapping) enclosing = {};
-    const PatternSamples moved = samples.at(carried(texture.field, points, memory));
+    if (map.uv_mapping) enclosing = {};
+    const PatternSamples moved = samples.at(carried(map.field, points, memory));
     const auto chains = memory.take<std::span<const Warp>>(enclosing.size() + 1, std::span<const Warp>{});
     std::copy(enclosing.begin(), enclosing.end(), chains.begin());
-    chains[enclosing.size()] = texture.field.modifiers().warps;
+    chains[enclosing.size()] = map.field.modifiers().warps;
 
-    if (texture.average) {
+    if (map.average) {
         float total = 0;
-        for (const float weight : texture.positions.positions) total += weight;
+        for (const float weight : map.positions.positions) total += weight;
         const auto shares = memory.take<float>(rows.size());
-        for (size_t k = 0; k < texture.children.size(); ++k) {
-            const float part = total == 0.0f ? 1.0f : texture.positions.positions[k] / total;
+        for (size_t k = 0; k < map.children.size(); ++k) {
+            const float part = total == 0.0f ? 1.0f : map.positions.positions[k] / total;
             for (size_t i = 0; i < rows.size(); ++i) shares[i] = rows.shares[i] * part;
-            shade_rows(texture.children[k], {rows.hits, rows.roots, moved.points, shares}, chains, shadows);
+            shade_rows(map.children[k], {rows.hits, rows.roots, moved.points, shares}, chains, shadows);
         }
         return;
     }
     const auto values = memory.take<double>(rows.size());
-    texture.field.values(moved, values);
-    const BlendParts parts = split_by_entry(texture.positions, values, memory);
-    for (size_t k = 0; k < texture.children.size(); ++k) {
+    map.field.values(moved, values);
+    const BlendParts parts = split_by_entry(map.positions, values, memory);
+    for (size_t k = 0; k < map.children.size(); ++k) {
         const auto chosen = parts.rows_of(k);
         if (chosen.empty()) continue;
         Scratch::Scope part_memory(thread_scratch());
@@ -102,7 +103,7 @@ void SurfaceShader::shade_children(const TextureProgram& texture, const Rows& ro
             part_points[i] = moved.points[chosen[i]];
             shares[i] = rows.shares[chosen[i]] * weights[i];
         }
-        shade_rows(texture.children[k], {hits, roots, part_points, shares}, chains, shadows);
+        shade_rows(map.children[k], {hits, roots, part_points, shares}, chains, shadows);
     }
 }
 
@@ -116,7 +117,7 @@ void SurfaceShader::shade_layers(const TextureProgram& texture, const Rows& rows
     stack.through = memory.take<float>(count, 1.0f);
     stack.top_normal = memory.take<Vec3>(count);
     const auto reflecting = std::count_if(texture.layers.begin(), texture.layers.end(),
-                                          [](const LayerProgram& layer) { return layer.finish.reflects; });
+                                          [](const LayerProgram& layer) { return layer.finish->reflects; });
     stack.mirrors = memory.take<MirrorRecord>(count * static_cast<size_t>(reflecting));
     const auto active = memory.take<uint32_t>(count);
     for (const LayerProgram& layer : texture.layers) {
@@ -154,7 +155,7 @@ void SurfaceShader::normals_of(const LayerProgram& layer, const PatternSamples& 
 
 Rgb SurfaceShader::own_light(const LayerProgram& layer, const LitRow& lit) const {
     if (program_.options.quality <= 1) return lit.place.pigment;
-    return layer.finish.own_light * lit.place.pigment * lit.place.opacity + lit.light;
+    return layer.finish->own_light * lit.place.pigment * lit.place.opacity + lit.light;
 }
 
 /// Normals, pigments and direct light of one layer.
@@ -170,7 +171,7 @@ SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, co
     normals_of(layer, samples, rows.hits, enclosing, normals);
     layer.pigment.evaluate(samples, layer_rows.pigments);
 
-    const FinishProgram& finish = layer.finish;
+    const FinishProgram& finish = *layer.finish;
     for (size_t i = 0; i < count; ++i) {
         const HitPoint& hit = state_.hits[rows.hits[i]];
         const Color& p = layer_rows.pigments[i];
@@ -202,7 +203,7 @@ void SurfaceShader::shade_single(const LayerProgram& layer, const Rows& rows, Ch
         const HitPoint& hit = state_.hits[rows.hits[i]];
         state_.slots[state_.ray_of(hit).slot].rgb += hit.weight * rows.shares[i] * own_light(layer, lit[i]);
     }
-    const bool mirrors = layer.finish.reflects;
+    const bool mirrors = layer.finish->reflects;
     for (size_t i = 0; i < rows.size(); ++i) {
         const bool clear = pigments[i].filter != 0.0f || pigments[i].transmit != 0.0f;
         if (!clear && !mirrors) continue;
@@ -215,7 +216,7 @@ void SurfaceShader::shade_single(const LayerProgram& layer, const Rows& rows, Ch
         bool total_reflection = false;
         if (through > program_.world.settings.adc_bailout && program_.options.quality >= 6) {
             total_reflection =
-                secondary_.transmit(hit, {&layer.finish, normal, filter, through, rows.shares[i]});
+                secondary_.transmit(hit, {layer.finish.get(), normal, filter, through, rows.shares[i]});
         }
         if (mirror.amount != Rgb(0.0f) && !total_reflection) secondary_.reflect(hit, mirror);
     }
@@ -243,7 +244,7 @@ void SurfaceShader::shade_layer(const LayerProgram& layer, const Rows& rows, std
             stack.color[row] += stack.filter[row] * own_light(layer, lit[i]);
         }
         MirrorRecord mirror;
-        if (layer.finish.reflects) {
+        if (layer.finish->reflects) {
             mirror = mirror_of(layer, lit[i], stack.through[row], rows.shares[row]);
             mirror.row = row;
             stack.mirrors[stack.mirror_count++] = mirror;
@@ -258,16 +259,16 @@ MirrorRecord SurfaceShader::mirror_of(const LayerProgram& layer, const LitRow& l
                                       float share) const {
     const HitPoint& hit = state_.hits[lit.hit];
     const double cosine = -glm::dot(lit.place.direction, lit.place.normal);
-    const bool fresnel = layer.finish.finish.reflection.fresnel;
-    const double ior = fresnel ? secondary_.relative_ior(hit, layer.finish) : 1.0;
-    const Reflectivity r = reflectivity(layer.finish, cosine, ior, lit.place.pigment);
+    const bool fresnel = layer.finish->finish.reflection.fresnel;
+    const double ior = fresnel ? secondary_.relative_ior(hit, *layer.finish) : 1.0;
+    const Reflectivity r = reflectivity(*layer.finish, cosine, ior, lit.place.pigment);
     const float importance = state_.ray_of(hit).importance * through * r.importance;
-    return {0, &layer.finish, lit.place.normal, r.amount, importance, share};
+    return {0, layer.finish.get(), lit.place.normal, r.amount, importance, share};
 }
 
 /// What a mirror leaves for the light from below it.
 Rgb SurfaceShader::kept(const LayerProgram& layer, const MirrorRecord& mirror) {
-    if (!layer.finish.finish.conserve_energy) return Rgb(1.0f);
+    if (!layer.finish->finish.conserve_energy) return Rgb(1.0f);
     return glm::min(Rgb(1.0f), Rgb(1.0f) - mirror.amount);
 }
 
@@ -285,8 +286,9 @@ void SurfaceShader::send_on(const TextureProgram& texture, const Rows& rows, con
         const HitPoint& hit = state_.hits[rows.hits[i]];
         bool total_reflection = false;
         if (stack.through[i] > program_.world.settings.adc_bailout && program_.options.quality >= 6) {
-            total_reflection = secondary_.transmit(hit, {&texture.layers.front().finish, stack.top_normal[i],
-                                                         stack.filter[i], stack.through[i], rows.shares[i]});
+            total_reflection =
+                secondary_.transmit(hit, {texture.layers.front().finish.get(), stack.top_normal[i],
+                                          stack.filter[i], stack.through[i], rows.shares[i]});
         }
         for (size_t k = first[i]; k < stack.mirror_count; k = next[k]) {
             const MirrorRecord& mirror = stack.mirrors[k];

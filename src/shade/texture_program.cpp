@@ -19,61 +19,74 @@ double highlight_threshold(double exponent) {
 
 }  // namespace
 
-FinishProgram::FinishProgram(const Finish& written, const Rgb& ambient_light)
+FinishProgram::FinishProgram(const Finish& written, const TextureSettings& settings)
     : finish(written),
       brilliance(static_cast<double>(written.brilliance)),
       phong_size(static_cast<double>(written.phong_size)),
       roughness(static_cast<double>(written.roughness_exponent)) {
-    own_light = written.ambient * ambient_light + written.emission;
+    own_light = written.ambient * settings.ambient_light + written.emission;
     takes_light = written.diffuse != 0.0f || written.diffuse_back != 0.0f || written.phong != 0.0f ||
                   written.specular != 0.0f;
     has_highlights = written.phong > 0.0f || written.specular > 0.0f;
     const Reflection& r = written.reflection;
-    reflects = r.min != Rgb(0.0f) || r.max != Rgb(0.0f);
+    reflects = settings.quality >= 8 && (r.min != Rgb(0.0f) || r.max != Rgb(0.0f));
     reflection_importance = std::max(largest(r.min), largest(r.max));
     phong_threshold = highlight_threshold(written.phong_size);
     if (written.phong_size >= 60.0f) phong_threshold = std::max(phong_threshold, 0.0008);
     specular_threshold = highlight_threshold(written.roughness_exponent);
 }
 
-TextureProgram::TextureProgram(const TextureLayers& written, const TextureSettings& settings) {
+FinishProgramPtr TextureCompiler::finish(const Finish* written) {
+    static const Finish plain;
+    if (!written) written = &plain;
+    FinishProgramPtr& known = finishes_[written];
+    if (!known) known = std::make_shared<FinishProgram>(*written, settings);
+    return known;
+}
+
+TextureProgram::TextureProgram(const TextureLayers& written, TextureCompiler& compiler) {
     for (size_t i = written.size(); i-- > 0;) {
         if (written[i].is_patterned()) {
-            add_children(written[i], settings);
+            add_children(written[i], compiler);
             return;
         }
-        add_layer(written[i], settings);
+        if (layers.empty()) layers.reserve(i + 1);
+        add_layer(written[i], compiler);
     }
 }
 
-void TextureProgram::add_layer(const Texture& texture, const TextureSettings& settings) {
+void TextureProgram::add_layer(const Texture& texture, TextureCompiler& compiler) {
     static const Pigment black;
-    static const Finish plain;
+    const TextureSettings& settings = compiler.settings;
     LayerProgram layer{
         PigmentProgram(texture.pigment ? *texture.pigment : black, settings.patterns, settings.quality <= 5),
-        std::nullopt, FinishProgram(texture.finish ? *texture.finish : plain, settings.ambient_light)};
-    if (texture.normal && settings.quality >= 8) layer.normal.emplace(*texture.normal, settings.patterns);
-    if (settings.quality < 8) layer.finish.reflects = false;
+        nullptr, compiler.finish(texture.finish.get())};
+    if (texture.normal && settings.quality >= 8) {
+        layer.normal = std::make_shared<NormalProgram>(*texture.normal, settings.patterns);
+    }
     needs_surface =
         needs_surface || layer.pigment.needs_surface() || (layer.normal && layer.normal->needs_surface());
     passes_light = passes_light || layer.pigment.passes_light();
-    has_fresnel = has_fresnel || (layer.finish.reflects && layer.finish.finish.reflection.fresnel);
+    has_fresnel = has_fresnel || (layer.finish->reflects && layer.finish->finish.reflection.fresnel);
     layers.push_back(std::move(layer));
 }
 
-void TextureProgram::add_children(const Texture& texture, const TextureSettings& settings) {
-    average = texture.average;
-    uv_mapping = texture.uv_mapping;
-    field = PatternField(average ? nullptr : texture.pattern, texture.modifiers, settings.patterns);
-    positions = MapPositions::of(texture.map);
-    needs_surface = uv_mapping || field.needs_surface();
+void TextureProgram::add_children(const Texture& texture, TextureCompiler& compiler) {
+    TextureMapProgram chosen;
+    chosen.average = texture.average;
+    chosen.uv_mapping = texture.uv_mapping;
+    chosen.field = PatternField(texture.average ? nullptr : texture.pattern, texture.modifiers,
+                                compiler.settings.patterns);
+    chosen.positions = MapPositions::of(texture.map);
+    needs_surface = chosen.uv_mapping || chosen.field.needs_surface();
     for (const auto& entry : texture.map) {
-        children.emplace_back(*entry.value, settings);
-        const TextureProgram& child = children.back();
+        chosen.children.emplace_back(*entry.value, compiler);
+        const TextureProgram& child = chosen.children.back();
         needs_surface = needs_surface || child.needs_surface;
         passes_light = passes_light || child.passes_light;
         has_fresnel = has_fresnel || child.has_fresnel;
     }
+    map = std::make_shared<TextureMapProgram>(std::move(chosen));
 }
 
 }  // namespace rb

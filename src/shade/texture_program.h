@@ -4,14 +4,22 @@
 #include "patterns/pigment_program.h"
 #include "shade/power.h"
 
-#include <optional>
+#include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace rb {
 
+/// What textures are compiled with.
+struct TextureSettings {
+    PatternSettings patterns;
+    Rgb ambient_light{1.0f};
+    int quality = 9;
+};
+
 /// A finish with what its formulas need worked out once (manual 3.4.6.3).
 struct FinishProgram {
-    FinishProgram(const Finish& written, const Rgb& ambient_light);
+    FinishProgram(const Finish& written, const TextureSettings& settings);
 
     Finish finish;
     Rgb own_light{0.0f};  ///< ambient under the scene's ambient light, and emission
@@ -25,40 +33,54 @@ struct FinishProgram {
     Power phong_size;
     Power roughness;
 };
+using FinishProgramPtr = std::shared_ptr<const FinishProgram>;
 
 struct LayerProgram {
     PigmentProgram pigment;
-    std::optional<NormalProgram> normal;
-    FinishProgram finish;
+    std::shared_ptr<const NormalProgram> normal;  ///< may be null
+    FinishProgramPtr finish;                      ///< never null; layers with the same finish share it
 };
 
-/// What textures are compiled with.
-struct TextureSettings {
-    PatternSettings patterns;
-    Rgb ambient_light{1.0f};
-    int quality = 9;
+/// Compiles textures; each finish once, however many of them share it. What was written must outlive it.
+class TextureCompiler {
+public:
+    explicit TextureCompiler(const TextureSettings& chosen) : settings(chosen) {}
+    FinishProgramPtr finish(const Finish* written);
+
+    const TextureSettings settings;
+
+private:
+    std::unordered_map<const Finish*, FinishProgramPtr> finishes_;
 };
 
-/// A texture compiled for batches: either layers, or a pattern that chooses among children.
+struct TextureMapProgram;
+
+/// A texture compiled for batches: either layers, or a pattern that chooses among children. Small, since a
+/// scene may have as many as objects.
 struct TextureProgram {
-    TextureProgram(const TextureLayers& written, const TextureSettings& settings);
+    TextureProgram(const TextureLayers& written, TextureCompiler& compiler);
 
-    bool is_patterned() const { return !children.empty(); }
+    bool is_patterned() const { return map != nullptr; }
 
     std::vector<LayerProgram> layers;  ///< top first
-    bool average = false;
-    bool uv_mapping = false;
-    PatternField field;
-    MapPositions positions;
-    std::vector<TextureProgram> children;
+    std::shared_ptr<const TextureMapProgram> map;
 
     bool needs_surface = false;  ///< some pattern asks for normals, directions or uv
     bool passes_light = false;   ///< some place may be transparent
     bool has_fresnel = false;
 
 private:
-    void add_layer(const Texture& texture, const TextureSettings& settings);
-    void add_children(const Texture& texture, const TextureSettings& settings);
+    void add_layer(const Texture& texture, TextureCompiler& compiler);
+    void add_children(const Texture& texture, TextureCompiler& compiler);
+};
+
+/// The pattern of a patterned texture, and what it chooses among.
+struct TextureMapProgram {
+    bool average = false;
+    bool uv_mapping = false;
+    PatternField field;
+    MapPositions positions;
+    std::vector<TextureProgram> children;
 };
 
 }  // namespace rb
