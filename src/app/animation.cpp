@@ -17,15 +17,16 @@ int subset_frame(double value, int first, int last, int whole) {
 }  // namespace
 
 std::vector<AnimationFrame> frames_of(const Settings& s) {
-    const bool still =
-        (s.initial_frame == 0 && s.final_frame == 0) || (s.initial_frame == 1 && s.final_frame == 1);
+    const int given_first = s.initial_frame.value_or(0);
+    const int given_last = s.final_frame.value_or(0);
+    const bool still = given_first == given_last && (given_first == 0 || given_first == 1);
     if (still) {
         AnimationFrame frame;
         frame.clock = static_cast<double>(static_cast<float>(s.clock));
         return {frame};
     }
-    const int first = std::max(s.initial_frame, 0);
-    const int last = std::max(s.final_frame, first) + (s.cyclic_animation ? 1 : 0);
+    const int first = std::max(s.initial_frame.value_or(1), 0);
+    const int last = std::max(given_last, first) + (s.cyclic_animation ? 1 : 0);
     const double delta = (s.final_clock - s.initial_clock) / (last - first);
     const int start = subset_frame(s.subset_start_frame, first, last, first);
     const int end = subset_frame(s.subset_end_frame, first, last, s.cyclic_animation ? last - 1 : last);

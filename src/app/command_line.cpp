@@ -153,6 +153,9 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     for (std::string& word : reversed) {
         if (word == "-version" || word == "--V") word = "--version";
         if (word == "-help" || word == "-?") word = "--help";
+        if (word == "-benchmark" || word == "--benchmark") {
+            throw UsageError("there is no built-in benchmark: time the scene that matters to you");
+        }
     }
     try {
         app.parse(reversed);

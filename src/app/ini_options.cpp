@@ -1,10 +1,12 @@
 #include "app/ini_options.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -37,14 +39,20 @@ int to_integer(std::string_view name, std::string_view value) {
     return static_cast<int>(number);
 }
 
+constexpr std::array<std::string_view, 4> on_words{"on", "true", "yes", "1"};
+constexpr std::array<std::string_view, 4> off_words{"off", "false", "no", "0"};
+
+/// Where something else than on or off may stand: the whole word, in any case.
+bool is_one_of(std::span<const std::string_view> words, std::string_view value) {
+    return std::ranges::find(words, lower(value)) != words.end();
+}
+
+/// What begins with one of the words counts.
 bool to_switch(std::string_view name, std::string_view value) {
     const std::string word = lower(value);
-    for (const std::string_view yes : {"on", "true", "yes", "1"}) {
-        if (word.starts_with(yes)) return true;
-    }
-    for (const std::string_view no : {"off", "false", "no", "0"}) {
-        if (word.starts_with(no)) return false;
-    }
+    const auto begins_word = [&word](std::string_view known) { return word.starts_with(known); };
+    if (std::ranges::any_of(on_words, begins_word)) return true;
+    if (std::ranges::any_of(off_words, begins_word)) return false;
     bad_value(name, value, "on or off");
 }
 
@@ -107,6 +115,9 @@ Setter number_of(double Settings::*field) {
 Setter integer_of(int Settings::*field) {
     return [field](Settings& s, std::string_view n, std::string_view v) { s.*field = to_integer(n, v); };
 }
+Setter frame_of(std::optional<int> Settings::*field) {
+    return [field](Settings& s, std::string_view n, std::string_view v) { s.*field = to_integer(n, v); };
+}
 Setter clamped_of(int Settings::*field, int lo, int hi) {
     return [=](Settings& s, std::string_view n, std::string_view v) {
         s.*field = std::clamp(to_integer(n, v), lo, hi);
@@ -121,10 +132,6 @@ Setter side_of(RegionSide Settings::*field) {
 Setter text_of(std::string Settings::*field) {
     return [field](Settings& s, std::string_view, std::string_view v) { s.*field = v; };
 }
-/// Accepted because callers send it; nothing here depends on it.
-Setter no_effect() {
-    return [](Settings&, std::string_view, std::string_view) {};
-}
 Setter command_of(ShellMoment moment) {
     return [moment](Settings& s, std::string_view, std::string_view v) {
         s.commands[static_cast<size_t>(moment)].line = v;
@@ -138,17 +145,15 @@ Setter action_of(ShellMoment moment) {
 /// A name, or `on` for the reference's own.
 Setter message_file_of(MessageStream stream, std::string_view usual) {
     return [=](Settings& s, std::string_view, std::string_view v) {
-        const std::string word = lower(v);
-        const bool off = word == "off" || word == "false" || word == "no" || word == "0";
-        const bool on = word == "on" || word == "true" || word == "yes" || word == "1";
-        s.message_files[static_cast<size_t>(stream)] = off ? "" : on ? usual : v;
+        s.message_files[static_cast<size_t>(stream)] = is_one_of(off_words, v)  ? ""
+                                                       : is_one_of(on_words, v) ? usual
+                                                                                : v;
     };
 }
 /// Something that would change the result and does not work yet.
 Setter not_yet(std::string_view what) {
     return [what](Settings& s, std::string_view n, std::string_view v) {
-        const std::string word = lower(v);
-        if (word == "off" || word == "false" || word == "no" || word == "0" || word.empty()) return;
+        if (v.empty() || is_one_of(off_words, v)) return;
         s.without_effect.push_back(fmt::format("{}={}: {}", n, v, what));
     };
 }
@@ -234,15 +239,20 @@ std::vector<Option> make_options() {
          }},
         {"initial_clock", number_of(&Settings::initial_clock)},
         {"final_clock", number_of(&Settings::final_clock)},
-        {"initial_frame", integer_of(&Settings::initial_frame)},
-        {"final_frame", integer_of(&Settings::final_frame)},
+        {"initial_frame", frame_of(&Settings::initial_frame)},
+        {"final_frame", frame_of(&Settings::final_frame)},
         {"subset_start_frame", number_of(&Settings::subset_start_frame)},
         {"subset_end_frame", number_of(&Settings::subset_end_frame)},
         {"frame_step", integer_of(&Settings::frame_step)},
         {"cyclic_animation", switch_of(&Settings::cyclic_animation)},
         {"include_ini", [](Settings& s, std::string_view, std::string_view v) { apply_word(s, v); }},
-        {"dither", not_yet("dithering is not supported yet, the picture is not dithered")},
-        {"dither_method", no_effect()},
+        {"dither", switch_of(&Settings::dither)},
+        {"dither_method",
+         [](Settings& s, std::string_view n, std::string_view v) {
+             const auto method = dither_method(v);
+             if (!method) bad_value(n, v, "B2, B3, B4, D1, D2 or FS");
+             s.dither_method = *method;
+         }},
         {"continue_trace", switch_of(&Settings::continue_trace)},
         {"preview_file", not_yet("a live preview is not written yet")},
         {"clockless_animation", not_yet("clockless animation is not supported yet")},
@@ -269,6 +279,7 @@ std::vector<Option> make_options() {
         {"warning_file", message_file_of(MessageStream::warning, "warning.out")},
         {"append_file", switch_of(&Settings::append_files)},
         {"create_histogram", not_yet("histograms are not made")},
+        {"histogram_name", not_yet("histograms are not made")},
         {"real_time_raytracing", not_yet("only whole pictures are rendered, one after the other")},
         {"fatal_console",
          [](Settings& s, std::string_view n, std::string_view v) {
@@ -311,7 +322,6 @@ constexpr std::string_view silent_options[] = {"display",
                                                "test_abort",
                                                "buffer_output",
                                                "histogram_type",
-                                               "histogram_name",
                                                "histogram_grid_size"};
 
 }  // namespace

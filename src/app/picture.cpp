@@ -24,7 +24,7 @@ PixelRows picture_of(const Film& film, const std::optional<GammaCurve>& assumed_
     const OutputEncoding encoding(assumed_gamma, settings.file_gamma);
     const bool linear = is_linear(settings.file_type);
     std::shared_ptr<const CodeTable> codes;
-    if (!linear && output_bits(settings) == 8 && !encoding.passes_unchanged())
+    if (!linear && !settings.dither && output_bits(settings) == 8 && !encoding.passes_unchanged())
         codes = std::make_shared<CodeTable>(encoding);
     const auto encode = [encoding, linear, codes](float v) {
         if (codes) return static_cast<float>(codes->code(v)) / 255.0f;

@@ -66,6 +66,8 @@ struct Settings {
     bool grayscale = false;
     bool alpha = false;
     int compression = 0;
+    bool dither = false;
+    DitherMethod dither_method = DitherMethod::floyd_steinberg;  ///< while dither is on
     GammaCurve file_gamma = SrgbCurve{};
 
     bool verbose = true;
@@ -80,8 +82,8 @@ struct Settings {
     bool clock_given = false;
     double initial_clock = 0;
     double final_clock = 1;
-    int initial_frame = 1;
-    int final_frame = 1;
+    std::optional<int> initial_frame;
+    std::optional<int> final_frame;
     double subset_start_frame = 0;
     double subset_end_frame = 0;
     int frame_step = 1;

@@ -17,16 +17,25 @@ struct Samples {
     std::vector<float> floats;
 };
 
-/// File values to stored integers: floor(clamp(v) * (2^bits - 1) + 0.5), spread over the stored range where
-/// that has more bits (textures spec 10.2). NaN becomes 0.
+/// File values to stored integers: floor(clamp(v) * (2^bits - 1) + 0.5), or dithered, and spread over the
+/// stored range where that has more bits (textures spec 10.2). NaN becomes 0.
 class Quantiser {
 public:
-    explicit Quantiser(const OutputFormat& format);
+    Quantiser(const OutputFormat& format, int width, int channels);
     /// 16 stored bits instead of 8.
     bool is_wide() const { return wide_; }
-    /// `to` has the type that is_wide() tells.
+    /// The next row, top to bottom. `to` has the type that is_wide() tells.
     template <typename T>
-    void operator()(std::span<const float> from, std::span<T> to) const {
+    void row(std::span<const float> from, std::span<T> to) {
+        if (dither_) {
+            dithered_.resize(from.size());
+            for (size_t i = 0; i < from.size(); ++i) dithered_[i] = from[i] * levels_;
+            dither_->round(dithered_, levels_);
+            for (size_t i = 0; i < from.size(); ++i) {
+                to[i] = static_cast<T>(spread(static_cast<int>(dithered_[i])));
+            }
+            return;
+        }
         for (size_t i = 0; i < from.size(); ++i) to[i] = static_cast<T>(level(from[i]));
     }
 
@@ -34,13 +43,17 @@ private:
     int level(float v) const {
         const float clamped = v > 0.0f ? std::min(v, 1.0f) : 0.0f;
         // Values are not negative, so that truncation is floor.
-        const auto code = static_cast<int>(clamped * levels_ + 0.5f);
+        return spread(static_cast<int>(clamped * levels_ + 0.5f));
+    }
+    int spread(int code) const {
         return spread_ == 1.0f ? code : static_cast<int>(static_cast<float>(code) * spread_ + 0.5f);
     }
 
     bool wide_;
     float levels_;
     float spread_;
+    std::optional<Dither> dither_;
+    std::vector<float> dithered_;
 };
 
 /// All rows as the file stores them.

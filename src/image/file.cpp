@@ -83,19 +83,20 @@ std::string_view extension_of(FileType type) {
     return "";
 }
 
-Quantiser::Quantiser(const OutputFormat& format)
+Quantiser::Quantiser(const OutputFormat& format, int width, int channels)
     : wide_(format.bits > 8 &&
             (format.type == FileType::png || format.type == FileType::ppm || format.type == FileType::tiff)) {
     const int bits = wide_ ? format.bits : std::min(format.bits, 8);
     levels_ = static_cast<float>((1 << bits) - 1);
     spread_ = (wide_ ? 65535.0f : 255.0f) / levels_;
+    if (format.dither != DitherMethod::none) dither_.emplace(format.dither, width, channels);
 }
 
 Samples samples_of(const PixelRows& rows, const OutputFormat& format) {
     Samples out{rows.width, rows.height, rows.channels, {}, {}, {}};
     const size_t length = static_cast<size_t>(rows.width) * static_cast<size_t>(rows.channels);
     const size_t size = length * static_cast<size_t>(rows.height);
-    const Quantiser quantise(format);
+    Quantiser quantise(format, rows.width, rows.channels);
     const bool floats = is_linear(format.type);
     if (floats) {
         out.floats.resize(size);
@@ -113,9 +114,9 @@ Samples samples_of(const PixelRows& rows, const OutputFormat& format) {
         }
         rows.fill(y, row);
         if (quantise.is_wide()) {
-            quantise(row, std::span(out.words).subspan(start, length));
+            quantise.row<uint16_t>(row, std::span(out.words).subspan(start, length));
         } else {
-            quantise(row, std::span(out.bytes).subspan(start, length));
+            quantise.row<uint8_t>(row, std::span(out.bytes).subspan(start, length));
         }
     }
     return out;

@@ -55,7 +55,7 @@ void write_png(const PixelRows& rows, const OutputFormat& format, const std::str
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), std::fclose);
     if (!file) throw IoError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
 
-    const Quantiser quantise(format);
+    Quantiser quantise(format, rows.width, rows.channels);
     const bool wide = quantise.is_wide();
     const int color = rows.channels == 1   ? PNG_COLOR_TYPE_GRAY
                       : rows.channels == 2 ? PNG_COLOR_TYPE_GRAY_ALPHA
@@ -81,10 +81,10 @@ void write_png(const PixelRows& rows, const OutputFormat& format, const std::str
     for (int y = 0; y < rows.height; ++y) {
         rows.fill(y, row);
         if (wide) {
-            quantise(row, std::span(words));
+            quantise.row<uint16_t>(row, words);
             png_write_row(writer.png, reinterpret_cast<png_const_bytep>(words.data()));
         } else {
-            quantise(row, std::span(bytes));
+            quantise.row<uint8_t>(row, bytes);
             png_write_row(writer.png, bytes.data());
         }
     }

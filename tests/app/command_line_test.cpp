@@ -3,6 +3,7 @@
 #include "app/animation.h"
 #include "app/ini_options.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -47,32 +48,35 @@ TEST(CommandLine, PlainAntialiasIsMethodOne) {
     EXPECT_FALSE(parse({"a.pov", "+A", "-A"}).antialias);
 }
 
+TEST(CommandLine, Dithering) {
+    EXPECT_FALSE(parse({"a.pov"}).dither);
+    const Settings plain = parse({"a.pov", "+TH"});
+    EXPECT_TRUE(plain.dither);
+    EXPECT_EQ(plain.dither_method, DitherMethod::floyd_steinberg);
+    const Settings named = parse({"a.pov", "Dither_Method=b3", "+TH"});
+    EXPECT_TRUE(named.dither);
+    EXPECT_EQ(named.dither_method, DitherMethod::bayer3);
+    EXPECT_EQ(parse({"a.pov", "+THD1"}).dither_method, DitherMethod::line);
+    EXPECT_FALSE(parse({"a.pov", "Dither_Method=B2"}).dither);
+    EXPECT_FALSE(parse({"a.pov", "+THB2", "-TH"}).dither);
+    EXPECT_THROW(parse({"a.pov", "+THX"}), UsageError);
+}
+
+TEST(CommandLine, NoBenchmark) {
+    EXPECT_THROW(parse({"-benchmark"}), UsageError);
+    EXPECT_THROW(parse({"--benchmark", "+WT2"}), UsageError);
+}
+
 // What would change the result and does not work is said; what the reference takes without effect is not.
 TEST(CommandLine, OptionsWithoutEffectAreSaid) {
-    for (const char* word : {"Dither=on", "+THB2", "Clockless_Animation=on", "Radiosity_From_File=on", "+RFO",
-                             "+RTR", "Fatal_Console=off", "-UR", "Create_Histogram=on"}) {
+    for (const char* word : {"Create_Histogram=on", "Histogram_Name=h", "Clockless_Animation=on",
+                             "Radiosity_From_File=on", "+RFO", "+RTR", "Fatal_Console=off", "-UR"}) {
         EXPECT_EQ(parse({"a.pov", word}).without_effect.size(), 1u) << word;
     }
-    for (const char* word : {"Dither=off",
-                             "Dither_Method=FS",
-                             "-TH",
-                             "Field_Render=on",
-                             "+UO",
-                             "Light_Buffer=on",
-                             "+UV",
-                             "Bounding_Method=2",
-                             "BSP_MaxDepth=3",
-                             "Render_Pattern=2",
-                             "Preview_Start_Size=8",
-                             "Warning_Level=0",
-                             "+X3",
-                             "+UR",
-                             "Fatal_Console=on",
-                             "+GP",
-                             "Buffer_Size=3",
-                             "Histogram_Type=csv",
-                             "High_Reproducibility=on",
-                             "Display_Gamma=2.2"}) {
+    for (const char* word :
+         {"Field_Render=on", "+UO", "Light_Buffer=on", "+UV", "Bounding_Method=2", "BSP_MaxDepth=3",
+          "Render_Pattern=2", "Preview_Start_Size=8", "Warning_Level=0", "+X3", "+UR", "Fatal_Console=on",
+          "+GP", "Buffer_Size=3", "Histogram_Type=csv", "High_Reproducibility=on", "Display_Gamma=2.2"}) {
         EXPECT_TRUE(parse({"a.pov", word}).without_effect.empty()) << word;
     }
 }
@@ -202,10 +206,32 @@ TEST(Animation, FramesAndClocks) {
     EXPECT_EQ(clocks({"+KFI1", "+KFF4", "+KF0", "+STP2"}), (List{{1, 0}, {3, 0}}));
     EXPECT_EQ(clocks({"+KFI0", "+KFF1"}), (List{{0, 0}, {1, 1}}));
     EXPECT_EQ(clocks({"+KI1", "+KF2"}), (List{{0, 0}}));
+    EXPECT_EQ(clocks({"+KFF10", "+SF0.5"}), (List{{5, 4.0f / 9.0f},
+                                                  {6, 5.0f / 9.0f},
+                                                  {7, 6.0f / 9.0f},
+                                                  {8, 7.0f / 9.0f},
+                                                  {9, 8.0f / 9.0f},
+                                                  {10, 1}}));
+    EXPECT_EQ(clocks({"+KFF4", "+EF2", "+KF3"}), (List{{1, 0}, {2, 1}}));
+    EXPECT_EQ(clocks({"+KFI0"}), (List{{0, 0}}));
+    EXPECT_EQ(clocks({"+KFI1", "+KFF1"}), (List{{0, 0}}));
+    EXPECT_EQ(clocks({"+KFI0", "+KFF1", "+KC"}), (List{{0, 0}, {1, .5}}));
     const auto cyclic = frames_of(parse({"a.pov", "+KFI1", "+KFF9", "+KC"}));
     EXPECT_EQ(cyclic.size(), 9u);
     EXPECT_EQ(cyclic.front().digits, 2);
     EXPECT_EQ(cyclic.front().final_frame, 10);
+}
+
+// One frame is an animation unless both ends are given as 1, or as 0; its clock is 0/0.
+TEST(Animation, OfOneFrame) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"a.pov", "+KFF1"}, {"a.pov", "+KFI1"}, {"a.pov", "+KFI1", "+KFF0"}}) {
+        const auto frames = frames_of(parse(words));
+        ASSERT_EQ(frames.size(), 1u) << words.back();
+        EXPECT_EQ(frames.front().number, 1) << words.back();
+        EXPECT_EQ(frames.front().digits, 1) << words.back();
+        EXPECT_TRUE(std::isnan(frames.front().clock)) << words.back();
+    }
 }
 
 }  // namespace
