@@ -37,6 +37,7 @@ private:
         uint32_t begin = 0;  ///< byte range
         uint32_t end = 0;
     };
+    static constexpr int deepest = 40;  ///< parentheses and calls within each other
     struct Drawn {
         size_t stream;
         uint32_t state;
