@@ -44,8 +44,9 @@ struct ignored : sor<blank, line_comment, block_comment, open_comment> {};
 /// exponent = ("e" | "E") [ "+" | "-" ] { digit }
 struct exponent : seq<one<'e', 'E'>, opt<one<'+', '-'>>, star<digit>> {};
 struct mantissa : sor<seq<plus<digit>, opt<one<'.'>, star<digit>>>, seq<one<'.'>, plus<digit>>> {};
-struct second_point : one<'.'> {};
-struct number : seq<mantissa, opt<second_point>, opt<exponent>> {};
+struct number : seq<mantissa, opt<exponent>> {};
+/// An error at its end.
+struct second_point : seq<mantissa, one<'.'>> {};
 
 /// word = (letter | "_") { letter | digit | "_" }
 struct word : identifier {};
@@ -80,8 +81,8 @@ struct number_run {
 struct illegal : any {};
 
 /// file = { ignored | token } end
-struct token
-    : sor<word, number, number_run, text, open_text, less_equal, greater_equal, not_equal, single_sign> {};
+struct token : sor<word, second_point, number, number_run, text, open_text, less_equal, greater_equal,
+                   not_equal, single_sign> {};
 struct piece : sor<ignored, token, illegal> {};
 struct file : until<eof, piece> {};
 

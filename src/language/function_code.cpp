@@ -158,7 +158,11 @@ public:
     }
 
 private:
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+    static constexpr uint64_t most = 10'000;
+#else
     static constexpr uint64_t most = 100'000'000;
+#endif
     static thread_local int depth;
     static thread_local uint64_t left;
 };

@@ -88,7 +88,7 @@ template <>
 struct action<lexical::second_point> {
     template <class In>
     static void apply(const In& in, Lexer& lexer) {
-        lexer.error(in.begin(), in.end(), "Unexpected additional '.' in floating-point number");
+        lexer.error(in.end() - 1, in.end(), "Unexpected additional '.' in floating-point number");
     }
 };
 
