@@ -31,6 +31,13 @@ void missing_semicolon(Session& session, SourceRange value) {
     session.diagnostics.report({Severity::possible_error, end, std::string(semicolon_message), {}});
 }
 
+[[noreturn]] void fail_unknown(const Session& session, SourceRange where, std::string_view word) {
+    const std::string message = "Cannot assign uninitialized identifier.";
+    if (word == "dictionary")
+        throw SceneError(where, message, "dictionaries of version 3.8 are not supported yet");
+    throw SceneError(where, message + session.hint(word));
+}
+
 void check_kind(const Array& array, SourceRange where, const Value& value) {
     for (const Value& element : array.elements) {
         if (!is_set(element)) continue;
@@ -150,9 +157,7 @@ void TokenStream::do_declare(bool local, SourceRange) {
         if (!quick_sum(right, {Tok::semicolon})) {
             Parser parser(session_);
             if (parser.peek().kind == Tok::undeclared) {
-                session_.fail(parser.peek().where,
-                              fmt::format("Cannot assign uninitialized identifier.{}",
-                                          session_.hint(session_.words.spelling(parser.peek().word))));
+                fail_unknown(session_, parser.peek().where, session_.words.spelling(parser.peek().word));
             }
             parser.lock(true);
             right = parser.rvalue();

@@ -30,8 +30,8 @@ void read_reflection(const Block& block, const ReadContext& context, Finish& fin
     while (!in.at_end()) {
         if (in.take_word("fresnel")) {
             const SourceRange at = in.where();
-            const double value = in.at_number() ? in.number() : 1.0;
-            if (value != 0 && value != 1) in.fail_at(at, "fresnel must be 0 or 1.");
+            const double value = in.at_number() ? std::trunc(in.number()) : 1.0;
+            if (value != 0 && value != 1) in.fail_at(at, "fresnel must be true or false");
             reflection.fresnel = value == 1;
         } else if (in.take_word("falloff")) {
             reflection.falloff = static_cast<float>(in.number());

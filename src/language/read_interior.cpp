@@ -93,14 +93,21 @@ void read_scattering(const Block& block, const ReadContext& context) {
     const int type = in.integer();
     if (type < 1 || type > 5) in.diagnostics().warning(at, "Unknown atmospheric scattering type.");
     in.rgb_color();
-    while (in.take_word("eccentricity") || in.take_word("extinction")) in.number();
+    while (in.at_word("eccentricity") || in.at_word("extinction")) {
+        const SourceRange word = in.where();
+        if (in.take_word("eccentricity") && type != 5) {
+            in.fail_at(word, "Eccentricity cannot be used with this scattering type.");
+        }
+        in.take_word("extinction");
+        in.number();
+    }
     in.finish();
 }
 
-double checked(BlockReader& in, double low, std::string_view what) {
+double checked(BlockReader& in, double low, const char* error) {
     const SourceRange at = in.where();
     const double value = in.number();
-    if (value < low) in.fail_at(at, fmt::format("{} must be at least {}.", what, low));
+    if (!(value >= low)) in.fail_at(at, error);
     return value;
 }
 
@@ -108,20 +115,23 @@ bool take_media_number(BlockReader& in) {
     if (in.take_word("method")) {
         const SourceRange at = in.where();
         const int method = in.integer();
-        if (method < 1 || method > 3) in.fail_at(at, "Media sampling method must be 1, 2 or 3.");
+        if (method < 1 || method > 3) in.fail_at(at, "Sample method choices are 1, 2, or 3.");
     } else if (in.take_word("intervals")) {
-        checked(in, 1, "intervals");
+        checked(in, 1, "At least one interval is needed in media.");
     } else if (in.take_word("samples")) {
-        const double least = checked(in, 1, "samples");
-        if (in.at_number()) checked(in, least, "maximum samples");
+        const double least = checked(in, 1, "At least one sample per interval is needed in media.");
+        if (in.at_number()) {
+            checked(in, least, "Maximum number of samples per interval smaller than minimum number.");
+        }
     } else if (in.take_word("aa_level")) {
-        checked(in, 1, "aa_level");
+        checked(in, 1, "aa_level in media must be at least one.");
     } else if (in.take_word("aa_threshold")) {
-        in.positive("aa_threshold");
+        const SourceRange at = in.where();
+        if (!(in.number() > 0)) in.fail_at(at, "aa_threshold in media must be greater than zero.");
     } else if (in.take_word("confidence")) {
         const SourceRange at = in.where();
         const double value = in.number();
-        if (!(value >= 0 && value < 1)) in.fail_at(at, "confidence must be in [0,1).");
+        if (!(value >= 0 && value < 1)) in.fail_at(at, "Illegal confidence value in media.");
     } else if (in.take_word("variance") || in.take_word("ratio") || in.take_word("jitter")) {
         in.number();
     } else if (in.take_word("absorption") || in.take_word("emission")) {
@@ -195,14 +205,66 @@ ParsedOnlyPtr read_media(const Block& block, const ReadContext& context) {
     return parsed_only(block);
 }
 
+namespace {
+
+/// What a rainbow must say (language spec 19). One that goes on from another has said it.
+struct RainbowFrame {
+    Vec3 direction{0.0};
+    Vec3 up{0.0, 1.0, 0.0};
+    double arc_angle = 360;
+    double falloff_angle = 360;
+    bool falloff_given = false;
+};
+
+double rainbow_angle(BlockReader& in, const char* error) {
+    const SourceRange at = in.where();
+    const double angle = in.number();
+    if (!(angle >= 0 && angle <= 360)) in.fail_at(at, error);
+    return angle;
+}
+
+bool take_rainbow_part(BlockReader& in, RainbowFrame& frame) {
+    if (in.take_word("direction")) {
+        frame.direction = in.vec3();
+    } else if (in.take_word("up")) {
+        frame.up = in.vec3();
+    } else if (in.take_word("arc_angle")) {
+        frame.arc_angle =
+            rainbow_angle(in, "Illegal arc angle in rainbow (Use value from 0 to 360 degrees).");
+    } else if (in.take_word("falloff_angle")) {
+        frame.falloff_angle =
+            rainbow_angle(in, "Illegal falloff angle in rainbow (Use value from 0 to 360 degrees).");
+        frame.falloff_given = true;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void check(const BlockReader& in, const RainbowFrame& frame) {
+    const double direction = glm::dot(frame.direction, frame.direction);
+    const double up = glm::dot(frame.up, frame.up);
+    if (direction == 0) in.fail_at(in.block_where(), "Rainbow's direction vector is zero.");
+    if (up == 0) in.fail_at(in.block_where(), "Rainbow's up vector is zero.");
+    const double along = glm::dot(frame.direction, frame.up);
+    if (along * along >= (1 - 1e-12) * direction * up) {
+        in.fail_at(in.block_where(), "Rainbow's up and direction vector are co-linear.");
+    }
+    if (frame.falloff_given && frame.arc_angle < frame.falloff_angle) {
+        in.fail_at(in.block_where(), "Arc angle is smaller than falloff angle in rainbow.");
+    }
+}
+
+}  // namespace
+
 ParsedOnlyPtr read_rainbow(const Block& block, const ReadContext& context) {
     BlockReader in(block, context);
-    take_known(in);
+    const bool goes_on = take_known(in);
+    RainbowFrame frame;
     while (!in.at_end()) {
-        if (in.take_word("direction") || in.take_word("up")) {
-            in.vec3();
-        } else if (in.take_word("angle") || in.take_word("width") || in.take_word("distance") ||
-                   in.take_word("jitter") || in.take_word("arc_angle") || in.take_word("falloff_angle")) {
+        if (take_rainbow_part(in, frame)) continue;
+        if (in.take_word("angle") || in.take_word("width") || in.take_word("distance") ||
+            in.take_word("jitter")) {
             in.number();
         } else if (in.at_block("color_map") || in.at_block("colour_map")) {
             read_color_map(in.block(in.peek_word()), context);
@@ -211,6 +273,7 @@ ParsedOnlyPtr read_rainbow(const Block& block, const ReadContext& context) {
         }
     }
     in.finish();
+    if (!goes_on) check(in, frame);
     return parsed_only(block);
 }
 

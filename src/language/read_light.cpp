@@ -13,7 +13,7 @@ ObjectPtr read_carried(const Block& block, const ReadContext& context, const Lig
     // `looks_like { OBJECT modifiers }` is an object statement under another name.
     Block statement = block;
     statement.keyword = "object";
-    auto object = std::make_shared<Object>(*read_object(statement, context));
+    auto object = make_object(*read_object(statement, context));
     if (moves) {
         transform_object(*object, Transform::translation(light.location));
         object->no_shadow = true;
@@ -62,7 +62,7 @@ bool take_beam(BlockReader& in, Light& light) {
 int area_size(BlockReader& in) {
     const SourceRange at = in.where();
     const int size = in.integer();
-    if (size == 0) in.fail_at(at, "Illegal size for an area light.");
+    if (size == 0) in.fail_at(at, "Area size must be greater than zero.");
     return std::clamp(size < 0 ? -size : size, 1, 65536);
 }
 
@@ -89,7 +89,7 @@ bool take_area(BlockReader& in, Light& light) {
             light.area.orient = true;
         } else {
             if (light.is_area && (light.area.size1 < 2 || light.area.size2 < 2)) {
-                in.fail_at(at, "Circular area lights must have more than one element per axis.");
+                in.fail_at(at, "Circular area light must have more than 1 point per axis");
             }
             light.area.circular = true;
         }
@@ -111,8 +111,10 @@ bool take_other(BlockReader& in, Light& light) {
     } else if (in.take_word("media_interaction")) {
         light.media_interaction = in.optional_switch();
     } else if (in.at_block("looks_like")) {
+        if (light.looks_like) in.fail("Only one looks_like allowed per light_source.");
         light.looks_like = read_carried(in.block("looks_like"), context, light, true);
     } else if (in.at_block("projected_through")) {
+        if (light.projected_through) in.fail("Only one projected through allowed per light_source.");
         light.projected_through = read_carried(in.block("projected_through"), context, light, false);
     } else if (in.at_block("photons")) {
         BlockReader photons(in.block("photons"), context);

@@ -3,8 +3,6 @@
 
 #include <memory>
 
-#include <fmt/format.h>
-
 namespace rb {
 
 /// A `*_map { [...] [...] }` whose entries `read_entry` adds, or the map of an identifier.
@@ -23,11 +21,15 @@ std::shared_ptr<const Map> read_map(const Block& block, const ReadContext& conte
         BlockReader entry(in.block("["), context);
         read_entry(entry, *map);
         entry.finish();
-        if (map->size() > most_entries) in.fail("Too many entries in a map.");
+        if (map->size() > most_entries)
+            in.fail("Too many entries in map. The maximum is 256 entries per map.");
     }
     in.finish();
-    if (map->empty())
-        in.fail_at(block.where, fmt::format("Must have at least one entry in '{}'.", block.keyword));
+    if (map->empty()) {
+        const bool colors = block.keyword == "color_map" || block.keyword == "colour_map";
+        in.fail_at(block.where, colors ? "Must have at least one color in color map."
+                                       : "Must have at least one entry in map.");
+    }
     return map;
 }
 

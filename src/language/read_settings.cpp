@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -27,21 +29,101 @@ void read_assumed_gamma(Session& session, BlockReader& in) {
     settings.assumed_gamma = curve;
 }
 
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+/// What a number of radiosity must be. Both ends belong to the range, but for a low end of `above`.
+struct RadiosityNumber {
+    std::string_view word;
+    std::string_view error;
+    double low = -endless;
+    double high = endless;
+    bool above = false;
+};
+constexpr std::array<RadiosityNumber, 15> radiosity_numbers{
+    {{"adc_bailout", "ADC Bailout must be a positive number.", 0, endless, true},
+     {"always_sample", ""},
+     {"brightness", "Radiosity brightness must be a positive number.", 0, endless, true},
+     {"error_bound", "Radiosity error bound must be a positive number.", 0, endless, true},
+     {"gray_threshold", "Radiosity gray threshold must be from 0.0 to 1.0.", 0, 1},
+     {"low_error_factor", "Radiosity low error factor must be a positive number.", 0, endless, true},
+     {"max_sample", ""},
+     {"maximum_reuse", "Radiosity maximum reuse must be a positive number.", 0, endless, true},
+     {"minimum_reuse", "Radiosity minimum reuse can not be a negative number.", 0},
+     {"normal", ""},
+     {"media", ""},
+     {"subsurface", ""},
+     {"pretrace_start", "Radiosity pretrace start must be greater than 0 and no higher than 1.", 0, 1, true},
+     {"pretrace_end", "Radiosity pretrace end must be greater than 0 and no higher than 1.", 0, 1, true},
+     {"recursion_limit", "Radiosity recursion limit must be in the range 1 to 20.", 1, 20}}};
+
+double take_radiosity_number(BlockReader& in, const RadiosityNumber& number) {
+    in.skip_item();
+    const SourceRange at = in.where();
+    const double value = in.number();
+    const bool low_enough = value <= number.high;
+    const bool high_enough = number.above ? value > number.low : value >= number.low;
+    if (!low_enough || !high_enough) in.fail_at(at, std::string(number.error));
+    return value;
+}
+
+void take_radiosity_count(BlockReader& in) {
+    const SourceRange at = in.where();
+    const int count = in.integer();
+    if (count < 1) in.fail_at(at, "Radiosity count must be a positive number.");
+    if (!in.at_number()) return;
+    const SourceRange pool = in.where();
+    if (in.integer() < count) {
+        in.fail_at(pool, "Radiosity count can not be more than direction pool size (count 2nd value).");
+    }
+}
+
+void take_nearest_count(BlockReader& in) {
+    const SourceRange at = in.where();
+    const int count = in.integer();
+    if (count < 1 || count > 20) in.fail_at(at, "Radiosity nearest count must be a value from 1 to 20.");
+    if (!in.at_number()) return;
+    const SourceRange second = in.where();
+    const int adaptive = in.integer();
+    if (adaptive >= 0 && adaptive < count) return;
+    in.fail_at(second,
+               "Radiosity nearest count for adaptive pretrace must be non-negative and smaller than general "
+               "nearest count.");
+}
+
+/// What holds between the numbers of a block (language spec 21).
+void check_together(const BlockReader& in, const std::map<std::string_view, double>& given) {
+    const auto value = [&given](std::string_view word, double usual) {
+        const auto at = given.find(word);
+        return at == given.end() ? usual : at->second;
+    };
+    if (value("pretrace_end", 0.04) > value("pretrace_start", 0.08)) {
+        in.fail_at(in.block_where(),
+                   "Radiosity pretrace end must be smaller than or equal to pretrace start.");
+    }
+    const bool both = given.contains("minimum_reuse") && given.contains("maximum_reuse");
+    const double least = value("minimum_reuse", 0.015);
+    const double most = value("maximum_reuse", 0.2);
+    if (both && least >= most) {
+        in.fail_at(in.block_where(), "Radiosity maximum_reuse must be larger than minimum_reuse.");
+    }
+    if (least > most / 2) {
+        in.diagnostics().warning(
+            in.block_where(), "Radiosity maximum_reuse should be significantly larger than minimum_reuse.");
+    }
+}
+
 void read_radiosity(Session& session, const Block& block, const ReadContext& context) {
     BlockReader in(block, context);
-    constexpr std::array<std::string_view, 17> numbers{"adc_bailout",    "always_sample",  "brightness",
-                                                       "error_bound",    "gray_threshold", "low_error_factor",
-                                                       "max_sample",     "maximum_reuse",  "minimum_reuse",
-                                                       "normal",         "media",          "subsurface",
-                                                       "pretrace_start", "pretrace_end",   "recursion_limit",
-                                                       "count",          "nearest_count"};
+    std::map<std::string_view, double> given;
     while (!in.at_end()) {
         const std::string_view word = in.at_word() ? in.peek_word() : std::string_view{};
-        if (std::find(numbers.begin(), numbers.end(), word) != numbers.end()) {
-            const bool two = word == "count" || word == "nearest_count";
-            in.skip_item();
-            in.number();
-            if (two && in.at_number()) in.number();
+        const auto* number = std::ranges::find(radiosity_numbers, word, &RadiosityNumber::word);
+        if (number != radiosity_numbers.end()) {
+            given[number->word] = take_radiosity_number(in, *number);
+        } else if (in.take_word("count")) {
+            take_radiosity_count(in);
+        } else if (in.take_word("nearest_count")) {
+            take_nearest_count(in);
         } else if (in.take_word("load_file") || in.take_word("save_file")) {
             in.text();
         } else {
@@ -49,8 +131,26 @@ void read_radiosity(Session& session, const Block& block, const ReadContext& con
         }
     }
     in.finish();
+    check_together(in, given);
     session.scene.settings.wants_radiosity = true;
     context.diagnostics->unsupported(block.where, "radiosity", "surfaces keep their ambient light");
+}
+
+void take_photon_counts(BlockReader& in) {
+    const SourceRange at = in.where();
+    const int least = in.integer();
+    const int most = in.integer();
+    if (most != 0 && least > most) {
+        in.fail_at(at, "min_gather_count must be less than max_gather_count.");
+    }
+}
+
+void take_photon_media(BlockReader& in) {
+    const SourceRange at = in.where();
+    if (in.integer() < 0) in.fail_at(at, "max media steps must be non-negative.");
+    if (!in.at_number()) return;
+    const SourceRange factor = in.where();
+    if (!(in.number() > 0)) in.fail_at(factor, "media spacing factor must be greater than zero.");
 }
 
 void read_global_photons(Session& session, const Block& block, const ReadContext& context) {
@@ -59,8 +159,11 @@ void read_global_photons(Session& session, const Block& block, const ReadContext
         if (in.take_word("spacing") || in.take_word("count") || in.take_word("autostop") ||
             in.take_word("jitter") || in.take_word("max_trace_level") || in.take_word("adc_bailout")) {
             in.number();
-        } else if (in.take_word("gather") || in.take_word("expand_thresholds") || in.take_word("media") ||
-                   in.take_word("radius")) {
+        } else if (in.take_word("gather")) {
+            take_photon_counts(in);
+        } else if (in.take_word("media")) {
+            take_photon_media(in);
+        } else if (in.take_word("expand_thresholds") || in.take_word("radius")) {
             while (in.at_number()) in.number();
         } else if (in.take_word("save_file") || in.take_word("load_file")) {
             in.text();

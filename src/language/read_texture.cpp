@@ -3,6 +3,8 @@
 #include "language/read_pattern.h"
 #include "language/skipped.h"
 
+#include <fmt/format.h>
+
 namespace rb {
 
 namespace {

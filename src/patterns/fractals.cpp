@@ -136,10 +136,13 @@ PatternPtr read_julia(BlockReader& in) { return std::make_shared<Fractal>(read_s
 PatternPtr read_magnet(BlockReader& in) {
     const SourceRange at = in.where();
     const int kind = in.integer();
-    if (kind != 1 && kind != 2) in.fail_at(at, "Invalid magnet type: must be 1 or 2.");
     const bool julia = in.take_word("julia");
     if (!julia && !in.take_word("mandel"))
         in.fail(fmt::format("Expected 'mandel', {} found instead", in.found()));
+    if (kind != 1 && kind != 2) {
+        in.fail_at(at, fmt::format("Invalid magnet-{} pattern type found. Valid types are 1 and 2.",
+                                   julia ? "julia" : "mandel"));
+    }
     return std::make_shared<Fractal>(read_seed(in, julia, kind));
 }
 

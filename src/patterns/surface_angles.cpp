@@ -90,10 +90,14 @@ void read_range(BlockReader& in, double& low, double& high) {
     }
 }
 
+constexpr const char* no_direction = "Zero length for both slope and gradient.";
+
 PatternPtr read_slope(BlockReader& outer) {
     SlopeShape shape;
     if (!outer.at_block("slope")) {
+        const SourceRange at = outer.where();
         shape.direction = outer.vec3();
+        if (shape.direction == Vec3{0.0}) outer.fail_at(at, no_direction);
         return std::make_shared<Slope>(shape);
     }
     BlockReader in(outer.block("slope"), outer.context());
@@ -101,13 +105,14 @@ PatternPtr read_slope(BlockReader& outer) {
     shape.direction = in.vec3();
     read_range(in, shape.low, shape.high);
     if (in.take_word("altitude")) {
-        if (shape.toward_point) in.fail("slope: altitude and point_at cannot be used together.");
+        if (shape.toward_point)
+            in.fail("Keyword 'altitude' cannot be used with 'point_at' in slope pattern.");
         shape.altitude = in.vec3();
         read_range(in, shape.altitude_low, shape.altitude_high);
     }
     in.finish();
     if (shape.direction == Vec3{0.0} && shape.altitude == Vec3{0.0}) {
-        outer.fail("slope: both direction and altitude are zero vectors.");
+        in.fail_at(in.block_where(), no_direction);
     }
     return std::make_shared<Slope>(shape);
 }

@@ -11,7 +11,7 @@ triangle { 0, x, y photons { targt } } //! error: No matching } in 'photons', un
 camera { location x look_at x } //! error: Camera location and look_at point must be different.
 camera { angle 180 } //! error: Viewing angle has to be smaller than 180 degrees.
 sky_sphere { } //! error: Empty sky_sphere statement.
-light_source { 0, rgb 1 area_light x, y, 0, 2 } //! error: Illegal size for an area light.
+light_source { 0, rgb 1 area_light x, y, 0, 2 } //! error: Area size must be greater than zero.
 sphere { 0, 1 interior_texture { pigment { rgb 1 } } } //! error: Interior texture requires an exterior texture.
 sphere { 0, 1 pigment { rgb 1 } uv_mapping } //! error: uv_mapping must be specified before texture.
 sphere { 0, 1 split_union off } //! error: Keyword 'split_union' cannot be used with this object.
