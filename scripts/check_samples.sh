@@ -29,7 +29,7 @@ first_error() {
 check_one() {
     local name=$1
     shift
-    timeout 120 "$renderboy" check "$@" "+L$includes" > "$work/out" 2> "$work/err"
+    timeout 300 "$renderboy" check "$@" "+L$includes" > "$work/out" 2> "$work/err"
     if [ $? -le 1 ] && ! grep -q 'Parse Error' "$work/err"; then
         read=$((read + 1))
         return

@@ -19,16 +19,23 @@ std::array<float, 4> straight(const Radiance& pixel) {
 
 }  // namespace
 
+Dithering dithering_of(const std::optional<GammaCurve>& assumed_gamma, const Settings& settings) {
+    if (!settings.dither || is_linear(settings.file_type)) return {};
+    const OutputEncoding encoding(assumed_gamma, settings.file_gamma);
+    return {settings.dither_method, encoding.passes_unchanged() ? Curve() : encoding.file_curve()};
+}
+
 PixelRows picture_of(const Film& film, const std::optional<GammaCurve>& assumed_gamma,
                      const Settings& settings) {
     const OutputEncoding encoding(assumed_gamma, settings.file_gamma);
     const bool linear = is_linear(settings.file_type);
+    const bool as_light = linear || settings.dither;
     std::shared_ptr<const CodeTable> codes;
-    if (!linear && !settings.dither && output_bits(settings) == 8 && !encoding.passes_unchanged())
+    if (!as_light && output_bits(settings) == 8 && !encoding.passes_unchanged())
         codes = std::make_shared<CodeTable>(encoding);
-    const auto encode = [encoding, linear, codes](float v) {
+    const auto encode = [encoding, as_light, codes](float v) {
         if (codes) return static_cast<float>(codes->code(v)) / 255.0f;
-        return linear ? encoding.linear(v) : encoding.encode(v);
+        return as_light ? encoding.linear(v) : encoding.encode(v);
     };
     const bool grayscale =
         settings.grayscale && (settings.file_type == FileType::png || settings.file_type == FileType::ppm);

@@ -118,7 +118,7 @@ void write_picture(const RenderResult& result, const GlobalSettings& scene, cons
     format.type = settings.file_type;
     format.bits = output_bits(settings);
     format.compression = settings.compression;
-    if (settings.dither) format.dither = settings.dither_method;
+    format.dither = dithering_of(assumed, settings);
     if (assumed)
         format.curve = is_linear(settings.file_type) ? Curve(GammaCurve{1.0}) : Curve(settings.file_gamma);
     write_image(picture_of(result.film, assumed, settings), format, picture_path(settings, frame));

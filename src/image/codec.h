@@ -29,7 +29,7 @@ public:
     void row(std::span<const float> from, std::span<T> to) {
         if (dither_) {
             dithered_.resize(from.size());
-            for (size_t i = 0; i < from.size(); ++i) dithered_[i] = from[i] * levels_;
+            std::ranges::copy(from, dithered_.begin());
             dither_->round(dithered_, levels_);
             for (size_t i = 0; i < from.size(); ++i) {
                 to[i] = static_cast<T>(spread(static_cast<int>(dithered_[i])));

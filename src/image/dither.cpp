@@ -66,27 +66,30 @@ std::optional<DitherMethod> dither_method(std::string_view name) {
     return std::nullopt;
 }
 
-Dither::Dither(DitherMethod method, int width, int channels)
-    : method_(method),
+Dither::Dither(const Dithering& dithering, int width, int channels)
+    : method_(dithering.method),
+      curve_(dithering.curve),
       channels_(static_cast<size_t>(channels)),
       errors_((static_cast<size_t>(width) + 2) * channels_),
       next_(errors_.size()) {}
 
 void Dither::round(std::span<float> values, float most) {
     if (bayer_of(method_)) {
-        add_thresholds(values);
-        for (float& v : values) v = clamped(std::floor(v), most);
+        round_to_thresholds(values, most);
     } else {
         diffuse(values, most);
     }
     ++y_;
 }
 
-void Dither::add_thresholds(std::span<float> values) const {
+void Dither::round_to_thresholds(std::span<float> values, float most) const {
     const Bayer& bayer = *bayer_of(method_);
     const auto count = static_cast<float>(bayer.side * bayer.side);
     const float* ranks = &bayer.ranks[y_ % bayer.side * bayer.side];
-    for (size_t i = 0; i < values.size(); ++i) values[i] += ranks[i / channels_ % bayer.side] / count;
+    for (size_t i = 0; i < values.size(); ++i) {
+        const float threshold = ranks[i / channels_ % bayer.side] / count;
+        values[i] = clamped(std::floor(encode(i, values[i]) * most + threshold), most);
+    }
 }
 
 void Dither::diffuse(std::span<float> values, float most) {
@@ -94,17 +97,19 @@ void Dither::diffuse(std::span<float> values, float most) {
     std::ranges::fill(next_, 0.0f);
     for (size_t i = 0; i < values.size(); ++i) {
         const size_t at = i + channels_;
-        const float wanted = clamped(values[i] + errors_[at], most);
-        values[i] = std::floor(wanted + 0.5f);
-        const float error = wanted - values[i];
+        const float wanted = clamped(values[i] + errors_[at], 1.0f);
+        values[i] = std::floor(encode(i, wanted) * most + 0.5f);
+        const float error = wanted - decode(i, values[i] / most);
         errors_[at + channels_] += error * shares.right;
         next_[at - channels_] += error * shares.below_left;
         next_[at] += error * shares.below;
         next_[at + channels_] += error * shares.below_right;
     }
     // Along a line the error goes on at the start of the next one.
-    if (method_ == DitherMethod::line)
-        std::copy_n(errors_.end() - channels_, channels_, next_.begin() + channels_);
+    if (method_ == DitherMethod::line) {
+        const auto count = static_cast<ptrdiff_t>(channels_);
+        std::copy_n(errors_.end() - count, channels_, next_.begin() + count);
+    }
     std::swap(errors_, next_);
 }
 

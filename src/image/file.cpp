@@ -89,7 +89,7 @@ Quantiser::Quantiser(const OutputFormat& format, int width, int channels)
     const int bits = wide_ ? format.bits : std::min(format.bits, 8);
     levels_ = static_cast<float>((1 << bits) - 1);
     spread_ = (wide_ ? 65535.0f : 255.0f) / levels_;
-    if (format.dither != DitherMethod::none) dither_.emplace(format.dither, width, channels);
+    if (format.dither.method != DitherMethod::none) dither_.emplace(format.dither, width, channels);
 }
 
 Samples samples_of(const PixelRows& rows, const OutputFormat& format) {

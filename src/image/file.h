@@ -22,9 +22,9 @@ constexpr bool is_linear(FileType type) { return type == FileType::exr || type =
 
 struct OutputFormat {
     FileType type = FileType::png;
-    int bits = 8;                              ///< per channel, 5..16; stored as 8 or 16
-    DitherMethod dither = DitherMethod::none;  ///< not for formats of linear light
-    int compression = 0;                       ///< JPEG quality 1..100, 0: the format's default
+    int bits = 8;         ///< per channel, 5..16; stored as 8 or 16
+    Dithering dither;     ///< not of formats that hold linear light
+    int compression = 0;  ///< JPEG quality 1..100, 0: the format's default
     /// Transfer curve of the values, written into the file's metadata; empty: unknown.
     std::optional<Curve> curve;
 };

@@ -23,7 +23,7 @@ TEST_P(Dithers, MeasuredPixels) {
         1.0026f, 0.0029f,  0.9628f,  0.0036f,  0.9965f, 1.0003f, 0.9987f, 0.997f,  0.0223f, 0.9979f};
     for (size_t i = 0; i < pixels.values.size(); ++i) pixels.values[i] = values[i / 3];
     OutputFormat format;
-    format.dither = *dither_method(GetParam().name);
+    format.dither.method = *dither_method(GetParam().name);
     const Samples samples = samples_of(rows_of(pixels), format);
     for (size_t i = 0; i < samples.bytes.size(); ++i) {
         EXPECT_EQ(int{samples.bytes[i]}, int{GetParam().codes[i / 3]}) << "value " << i / 3;
@@ -55,7 +55,7 @@ TEST(Dither, UnknownMethods) {
 // Whatever comes in, what goes out are levels.
 TEST(Dither, KeepsToTheLevels) {
     for (const std::string_view name : {"B3", "D1", "FS"}) {
-        Dither dither(*dither_method(name), 4, 1);
+        Dither dither({*dither_method(name), {}}, 4, 1);
         for (int y = 0; y < 3; ++y) {
             std::array<float, 4> row{std::numeric_limits<float>::quiet_NaN(), -1e30f, 1e30f, 300.0f};
             dither.round(row, 255.0f);
