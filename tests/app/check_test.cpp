@@ -71,7 +71,8 @@ TEST_F(Check, NothingMissing) {
 
 TEST_F(Check, ListsWhatIsMissing) {
     const Outcome done = check(
-        "sphere { 0, 1 interior { media { emission 1 } } hollow }\nrainbow { angle 30 }\nrainbow { angle 31 "
+        "sphere { 0, 1 interior { media { emission 1 } } hollow }\nrainbow { direction z angle 30 }\nrainbow "
+        "{ angle 31 "
         "}");
     EXPECT_EQ(done.code, 1);
     EXPECT_TRUE(has(done.out, "scene.pov:3:1: rainbow: it is left out (2 places)\n")) << done.out;
