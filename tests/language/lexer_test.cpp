@@ -36,7 +36,12 @@ TEST(Lexer, Numbers) {
 }
 
 TEST(Lexer, SecondPointIsAnError) {
-    EXPECT_EQ(Lexed("1.2.3").error(), "Unexpected additional '.' in floating-point number");
+    const Lexed in("1.2.3");
+    EXPECT_EQ(in.error(), "Unexpected additional '.' in floating-point number");
+    // The number's token once reached back over that of the error.
+    EXPECT_EQ(in.kinds(), (std::vector{Tok::invalid, Tok::number, Tok::end}));
+    EXPECT_EQ(in.tokens->tokens[0].begin, 3u);
+    EXPECT_EQ(in.tokens->tokens[1].begin, 4u);
 }
 
 TEST(Lexer, HexIsANumberAndAWord) {
