@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace rb {
 
@@ -60,29 +61,23 @@ bool misses_unit(const double* c) {
     return least > margin || most < -margin;
 }
 
+constexpr size_t quick_degree = 10;
+constexpr auto misses_unit_of_degree = []<size_t... N>(std::index_sequence<N...>) {
+    return std::array{&misses_unit<N>...};
+}
+(std::make_index_sequence<quick_degree + 1>());
+
 /// The same for parts of [-1, 1] that are not empty; false in doubt.
 bool misses(std::span<const double> c, double lo, double hi) {
-    constexpr size_t most_terms = 7;
-    if (c.size() < 3 || c.size() > most_terms || lo < -1.0 || hi > 1.0) return false;
-    std::array<double, most_terms> low;
+    if (c.empty() || c.size() > quick_degree + 1 || lo < -1.0 || hi > 1.0) return false;
+    std::array<double, quick_degree + 1> low;
     const auto any_side = [&](double sign) {
         double power = 1.0;
         for (size_t i = 0; i < c.size(); ++i) {
             low[i] = power * c[c.size() - 1 - i];
             power *= sign;
         }
-        switch (c.size()) {
-            case 3:
-                return misses_unit<2>(low.data());
-            case 4:
-                return misses_unit<3>(low.data());
-            case 5:
-                return misses_unit<4>(low.data());
-            case 6:
-                return misses_unit<5>(low.data());
-            default:
-                return misses_unit<6>(low.data());
-        }
+        return misses_unit_of_degree[c.size() - 1](low.data());
     };
     return (hi <= 0.0 || any_side(1.0)) && (lo >= 0.0 || any_side(-1.0));
 }

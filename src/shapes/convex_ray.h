@@ -4,28 +4,37 @@
 
 namespace rb {
 
-/// The root of `value` between a and b, where the values fa and fb have opposite signs: false position,
-/// weighted (Illinois), with halving where that is slow; to the last bits.
+/// The root of `value` between a and b, where the values fa and fb have opposite signs, to the last bits:
+/// inverse quadratic interpolation where the last three points allow it, else halving (Chandrupatla 1997).
 template <class Value>
 double bracketed_root(const Value& value, double a, double fa, double b, double fb) {
-    double ga = fa;
-    double gb = fb;
+    double share = fa / (fa - fb);
+    if (!(share > 0.0 && share < 1.0)) share = 0.5;
     constexpr int most = 200;
     for (int i = 0; i < most; ++i) {
-        double t = i % 3 == 2 ? 0.5 * (a + b) : b - gb * ((b - a) / (gb - ga));
-        if (!(t > a && t < b)) t = 0.5 * (a + b);
-        if (!(t > a && t < b)) break;
+        const double t = a + share * (b - a);
         const double f = value(t);
         if (f == 0.0) return t;
-        if ((f < 0.0) == (fa < 0.0)) {
-            a = t;
-            ga = f;
-            gb *= 0.5;
-        } else {
-            b = t;
-            gb = f;
-            ga *= 0.5;
+        double c = a;
+        double fc = fa;
+        if ((f < 0.0) != (fa < 0.0)) {
+            c = b;
+            fc = fb;
+            b = a;
+            fb = fa;
         }
+        a = t;
+        fa = f;
+        const double best = std::abs(fa) < std::abs(fb) ? a : b;
+        const double least = 2.0 * std::numeric_limits<double>::epsilon() * std::abs(best) / std::abs(b - a);
+        if (!(least < 0.5)) return best;
+        const double xi = (a - b) / (c - b);
+        const double phi = (fa - fb) / (fc - fb);
+        share = 0.5;
+        if (phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi)
+            share =
+                fa / (fb - fa) * (fc / (fb - fc)) + (c - a) / (b - a) * (fa / (fc - fa)) * (fb / (fc - fb));
+        share = share > least ? (share < 1.0 - least ? share : 1.0 - least) : least;
     }
     return b;
 }
