@@ -76,6 +76,8 @@ struct FunctionCode {
 
     /// Holds the result for all variables within the given intervals.
     Interval bound(std::span<Interval> variable) const;
+    /// The same with slopes.
+    IntervalSlope bound_slope(std::span<IntervalSlope> variable) const;
 };
 
 /// min, max or select of `count` values.
@@ -98,6 +100,7 @@ public:
     void evaluate(std::span<const double> arguments, std::span<double> result) const override;
     void evaluate_rows(std::span<const double* const> arguments, std::span<double> results) const override;
     Interval bound(std::span<const Interval> arguments, int component) const override;
+    IntervalSlope bound_slope(std::span<const IntervalSlope> arguments, int component) const override;
     const FunctionCode& code() const { return code_; }
 
 private:

@@ -3,7 +3,9 @@
 #include "language/function_code.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace rb {
 
@@ -153,45 +155,128 @@ Interval choose(std::span<const Interval> a) {
     return out;
 }
 
-Interval call_list(Keyword word, std::span<const Interval> a) {
+// The same with slopes.
+
+IntervalSlope operate(Op op, const IntervalSlope& a, const IntervalSlope& b) {
+    switch (op) {
+        case Op::add:
+            return a + b;
+        case Op::subtract:
+            return a - b;
+        case Op::multiply:
+            return a * b;
+        case Op::divide:
+            return a / b;
+        default:
+            return IntervalSlope::jumping(operate(op, a.value, b.value));
+    }
+}
+
+IntervalSlope call(Keyword word, const IntervalSlope& a) {
+    switch (word) {
+        case Keyword::abs:
+            return abs(a);
+        case Keyword::exp:
+            return exp(a);
+        case Keyword::ln:
+            return log(a);
+        case Keyword::sqrt:
+            return sqrt(a);
+        case Keyword::sin:
+            return sin(a);
+        case Keyword::cos:
+            return cos(a);
+        case Keyword::tan:
+            return tan(a);
+        case Keyword::atan:
+            return atan(a);
+        case Keyword::degrees:
+            return a * 180 / 3.14159265358979323846;
+        case Keyword::radians:
+            return a * 3.14159265358979323846 / 180;
+        default:
+            return IntervalSlope::jumping(call(word, a.value));
+    }
+}
+
+IntervalSlope call(Keyword word, const IntervalSlope& a, const IntervalSlope& b) {
+    switch (word) {
+        case Keyword::atan2:
+            return atan2(a, b);
+        case Keyword::mod:
+            return fmod(a, b);
+        case Keyword::pow:
+            return pow(a, b);
+        default:
+            return IntervalSlope::jumping(call(word, a.value, b.value));
+    }
+}
+
+IntervalSlope choose(std::span<const IntervalSlope> a) {
+    std::vector<Interval> values;
+    for (const IntervalSlope& v : a) values.push_back(v.value);
+    const Interval& test = values[0];
+    const bool always_below = test.hi < 0 && !test.maybe_nan;
+    const bool always_above = test.lo > 0 && !test.maybe_nan;
+    if (always_below) return a[1];
+    if (always_above) return a.back();
+    return IntervalSlope::jumping(choose(values));
+}
+
+template <class T>
+T call_list(Keyword word, std::span<const T> a) {
     if (word == Keyword::select) return choose(a);
-    Interval best = a[0];
+    T best = a[0];
     for (size_t i = 1; i < a.size(); ++i) best = word == Keyword::min ? min(best, a[i]) : max(best, a[i]);
     return best;
 }
 
-Interval call_function(const Function& f, std::span<const Interval> a, uint8_t component) {
-    if (component != 254) return f.bound(a, component == 255 ? 0 : component);
-    return 0.297 * f.bound(a, 0) + 0.589 * f.bound(a, 1) + 0.114 * f.bound(a, 2);
+Interval bound_of(const Function& f, std::span<const Interval> a, int component) {
+    return f.bound(a, component);
+}
+IntervalSlope bound_of(const Function& f, std::span<const IntervalSlope> a, int component) {
+    return f.bound_slope(a, component);
+}
+
+template <class T>
+T call_function(const Function& f, std::span<const T> a, uint8_t component) {
+    if (component != 254) return bound_of(f, a, component == 255 ? 0 : component);
+    return 0.297 * bound_of(f, a, 0) + 0.589 * bound_of(f, a, 1) + 0.114 * bound_of(f, a, 2);
+}
+
+const Interval& value_of(const Interval& v) { return v; }
+const Interval& value_of(const IntervalSlope& v) { return v.value; }
+
+Interval run(const FunctionCode& code, std::span<Interval> variable) { return code.bound(variable); }
+IntervalSlope run(const FunctionCode& code, std::span<IntervalSlope> variable) {
+    return code.bound_slope(variable);
 }
 
 /// Loops whose ends are not known, or are far apart, may give anything.
-Interval loop(const FunctionCode& body, bool is_sum, uint32_t variable, std::span<Interval> variables,
-              const Interval& from, const Interval& to) {
+template <class T>
+T loop(const FunctionCode& body, bool is_sum, uint32_t variable, std::span<T> variables, const Interval& from,
+       const Interval& to) {
     constexpr double most = 1000;
-    if (!from.is_point() || !to.is_point() || !(to.lo - from.lo < most)) return Interval::everything();
-    Interval total = is_sum ? 0 : 1;
+    if (!from.is_point() || !to.is_point() || !(to.lo - from.lo < most)) return T::everything();
+    T total = is_sum ? 0 : 1;
     for (double i = from.lo; i <= to.lo; i += 1) {
         variables[variable] = i;
-        const Interval value = body.bound(variables);
+        const T value = run(body, variables);
         total = is_sum ? total + value : total * value;
         if (i + 1 == i) break;
     }
     return total;
 }
 
-}  // namespace
-
-Interval FunctionCode::bound(std::span<Interval> variable) const {
-    std::vector<Interval> values(stack + 1);
-    // Which variable a value is, so that its square is known as one.
-    std::vector<uint32_t> names(stack + 1, none);
+/// `names`: which variable a value on the stack is, so that its square is known as one.
+template <class T>
+T bound_on(const FunctionCode& code, std::span<T> variable, T* values, uint32_t* names) {
     size_t size = 0;
-    const auto push = [&](const Interval& v, uint32_t name = none) {
+    const auto push = [&](const T& v, uint32_t name = none) {
         values[size] = v;
         names[size++] = name;
     };
-    for (const Instruction& i : instructions) {
+    for (const FunctionCode::Instruction& i : code.instructions) {
         const auto keyword = static_cast<Keyword>(i.index);
         const size_t taken =
             i.op == Op::constant || i.op == Op::variable                                            ? 0
@@ -199,7 +284,7 @@ Interval FunctionCode::bound(std::span<Interval> variable) const {
             : i.op == Op::call3 || i.op == Op::call4 || i.op == Op::min_max || i.op == Op::function ? i.count
                                                                                                     : 2;
         size -= taken;
-        const std::span<const Interval> a(values.data() + size, taken);
+        const std::span<const T> a(values + size, taken);
         switch (i.op) {
             case Op::constant:
                 push(i.value);
@@ -219,14 +304,15 @@ Interval FunctionCode::bound(std::span<Interval> variable) const {
             case Op::call3:
             case Op::call4:
             case Op::min_max:
-                push(call_list(keyword, a));
+                push(call_list<T>(keyword, a));
                 break;
             case Op::function:
-                push(call_function(*functions[i.index], a, i.component));
+                push(call_function<T>(*code.functions[i.index], a, i.component));
                 break;
             case Op::sum:
             case Op::product:
-                push(loop(bodies[i.count], i.op == Op::sum, i.index, variable, a[0], a[1]));
+                push(loop<T>(code.bodies[i.count], i.op == Op::sum, i.index, variable, value_of(a[0]),
+                             value_of(a[1])));
                 break;
             default: {
                 const bool twice =
@@ -238,10 +324,44 @@ Interval FunctionCode::bound(std::span<Interval> variable) const {
     return values[0];
 }
 
-Interval UserFunction::bound(std::span<const Interval> arguments, int) const {
-    std::vector<Interval> variables(code_.variables);
+template <class T>
+T bound_with_stack(const FunctionCode& code, std::span<T> variable) {
+    constexpr size_t room = 16;
+    if (code.stack + 1 <= room) {
+        std::array<T, room> values;
+        std::array<uint32_t, room> names;
+        return bound_on<T>(code, variable, values.data(), names.data());
+    }
+    std::vector<T> values(code.stack + 1);
+    std::vector<uint32_t> names(code.stack + 1);
+    return bound_on<T>(code, variable, values.data(), names.data());
+}
+
+template <class T>
+T bound_for(const FunctionCode& code, std::span<const T> arguments) {
+    constexpr size_t room = 8;
+    if (code.variables <= room) {
+        std::array<T, room> variables;
+        std::copy(arguments.begin(), arguments.end(), variables.begin());
+        return run(code, std::span<T>(variables.data(), code.variables));
+    }
+    std::vector<T> variables(code.variables);
     std::copy(arguments.begin(), arguments.end(), variables.begin());
-    return code_.bound(variables);
+    return run(code, std::span<T>(variables));
+}
+
+}  // namespace
+
+Interval FunctionCode::bound(std::span<Interval> variable) const { return bound_with_stack(*this, variable); }
+IntervalSlope FunctionCode::bound_slope(std::span<IntervalSlope> variable) const {
+    return bound_with_stack(*this, variable);
+}
+
+Interval UserFunction::bound(std::span<const Interval> arguments, int) const {
+    return bound_for(code_, arguments);
+}
+IntervalSlope UserFunction::bound_slope(std::span<const IntervalSlope> arguments, int) const {
+    return bound_for(code_, arguments);
 }
 
 }  // namespace rb

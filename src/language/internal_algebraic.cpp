@@ -264,7 +264,7 @@ T witch_of_agnesi_2d(In<T>& a) {
 }  // namespace
 
 #define RB_SURFACE(number, parameters, name) \
-    { number, parameters, name<double>, name<Interval> }
+    { number, parameters, name<double>, name<Interval>, name<IntervalSlope> }
 std::span<const InternalKind> algebraic_surfaces() {
     static constexpr InternalKind kinds[] = {RB_SURFACE(0, 5, algbr_cyl1),
                                              RB_SURFACE(1, 5, algbr_cyl2),

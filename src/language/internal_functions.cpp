@@ -29,6 +29,13 @@ public:
         InternalPoint<Interval> at(a);
         return kind_.bound(at);
     }
+    IntervalSlope bound_slope(std::span<const IntervalSlope> a, int) const override {
+        for (const IntervalSlope& parameter : a.subspan(3)) {
+            if (!parameter.value.is_point()) return IntervalSlope::everything();
+        }
+        InternalPoint<IntervalSlope> at(a);
+        return kind_.bound_slope(at);
+    }
 
 private:
     const InternalKind& kind_;
@@ -192,14 +199,32 @@ Interval within(const Interval& v, const Interval& limit) {
     return v.maybe_nan ? hull(cut, -limit.lo) : cut;
 }
 
+IntervalSlope within(const IntervalSlope& v, const IntervalSlope& limit) {
+    const Interval cut = within(v.value, limit.value);
+    const bool as_it_is = cut.lo == v.value.lo && cut.hi == v.value.hi;
+    return {cut, as_it_is ? v.slope : hull(v.slope, 0)};
+}
+
 void keep_from_axis(Interval& x, const Interval& z, double small) {
     if (x.holds(0) && z.holds(0)) x = hull(x, small);
+}
+
+void keep_from_axis(IntervalSlope& x, const IntervalSlope& z, double small) {
+    if (!x.value.holds(0) || !z.value.holds(0)) return;
+    keep_from_axis(x.value, z.value, small);
+    x.slope = Interval::everything();
 }
 
 void keep_from_zero(Interval& z) {
     if (z.lo < 0.2 && z.hi > -0.2) z = z.lo > -0.2 && z.hi < 0.2 ? Interval(0.2) : hull(z, 0.2);
     // Nothing between is left.
     if (z.lo > -0.2 && z.lo < 0.2) z.lo = 0.2;
+}
+
+void keep_from_zero(IntervalSlope& z) {
+    if (!(z.value.lo < 0.2 && z.value.hi > -0.2)) return;
+    keep_from_zero(z.value);
+    z.slope = Interval::everything();
 }
 
 FunctionPtr internal_function(int number, std::shared_ptr<const int> noise_generator) {

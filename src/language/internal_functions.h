@@ -1,5 +1,5 @@
 #pragma once
-#include "math/interval.h"
+#include "math/interval_slope.h"
 
 #include <cmath>
 #include <cstdint>
@@ -10,6 +10,7 @@ namespace rb {
 /// The number itself; of parameters as intervals, which are points, too.
 inline double known(double v) { return v; }
 inline double known(const Interval& v) { return v.lo; }
+inline double known(const IntervalSlope& v) { return v.value.lo; }
 
 /// v cut to [-limit, limit]; nan becomes -limit.
 inline double within(double v, double limit) {
@@ -17,21 +18,24 @@ inline double within(double v, double limit) {
     return high < limit ? high : limit;
 }
 Interval within(const Interval& v, const Interval& limit);
+IntervalSlope within(const IntervalSlope& v, const IntervalSlope& limit);
 
 /// On the axis x = z = 0, x becomes `small`.
 inline void keep_from_axis(double& x, double z, double small) {
     if (x == 0 && z == 0) x = small;
 }
 void keep_from_axis(Interval& x, const Interval& z, double small);
+void keep_from_axis(IntervalSlope& x, const IntervalSlope& z, double small);
 
 /// What is nearer to 0 than 0.2 becomes 0.2.
 inline void keep_from_zero(double& z) {
     if (z < 0.2 && z > -0.2) z = 0.2;
 }
 void keep_from_zero(Interval& z);
+void keep_from_zero(IntervalSlope& z);
 
-/// The arguments of an internal function: a point, its squares, and the parameters P0, P1, ... T is double or
-/// Interval (a box of points; its parameters are points).
+/// The arguments of an internal function: a point, its squares, and the parameters P0, P1, ... T is double,
+/// Interval (a box of points; its parameters are points) or IntervalSlope (a piece of a line).
 template <class T>
 struct InternalPoint {
     T x, y, z;
@@ -67,6 +71,7 @@ struct InternalKind {
     uint8_t parameters;  ///< besides x, y, z
     double (*value)(InternalPoint<double>& at);
     Interval (*bound)(InternalPoint<Interval>& at);
+    IntervalSlope (*bound_slope)(InternalPoint<IntervalSlope>& at);
 };
 
 std::span<const InternalKind> algebraic_surfaces();

@@ -33,6 +33,12 @@ Interval positive_mod(const Interval& v, const Interval& m) {
     const Interval r = fmod(v, m);
     return r.lo < 0 ? hull(r, r + m) : r;
 }
+IntervalSlope positive_mod(const IntervalSlope& v, const IntervalSlope& m) {
+    const IntervalSlope r = fmod(v, m);
+    if (r.value.lo >= 0) return r;
+    if (r.value.hi < 0) return r + m;
+    return {hull(r.value, (r + m).value), Interval::everything()};
+}
 
 /// The cross section of a helix or spiral: a circle for 1, a square for 0, superellipses between.
 template <class T>
@@ -166,9 +172,14 @@ Hex hexagon(const In<double>& in) {
 Interval within_hexagon(const In<Interval>& in, double most) {
     return {0, most, in.x.maybe_nan || in.x.has_infinity() || in.y.maybe_nan || in.y.has_infinity()};
 }
+IntervalSlope within_hexagon(const In<IntervalSlope>& in, double most) {
+    const bool nan = in.x.value.maybe_nan || in.x.value.has_infinity() || in.y.value.maybe_nan ||
+                     in.y.value.has_infinity();
+    return {{0, most, nan}, Interval::everything()};
+}
 template <class T>
 T hex_x(In<T>& in) {
-    if constexpr (std::is_same_v<T, Interval>)
+    if constexpr (!std::is_same_v<T, double>)
         return within_hexagon(in, 1.7321);
     else {
         const Hex h = hexagon(in);
@@ -177,7 +188,7 @@ T hex_x(In<T>& in) {
 }
 template <class T>
 T hex_y(In<T>& in) {
-    if constexpr (std::is_same_v<T, Interval>)
+    if constexpr (!std::is_same_v<T, double>)
         return within_hexagon(in, 1.5001);
     else {
         const Hex h = hexagon(in);
@@ -276,7 +287,7 @@ T torus(In<T>& a) {
 }  // namespace
 
 #define RB_SURFACE(number, parameters, name) \
-    { number, parameters, name<double>, name<Interval> }
+    { number, parameters, name<double>, name<Interval>, name<IntervalSlope> }
 std::span<const InternalKind> shaped_surfaces() {
     static constexpr InternalKind kinds[] = {RB_SURFACE(6, 5, blob),
                                              RB_SURFACE(7, 4, blob2),

@@ -31,9 +31,11 @@ Value<N> value_at(const std::array<double, N + 1>& c, double x) {
 /// The root between a and b, to the last bits, where the values `fa` and `fb` have opposite signs.
 template <size_t N>
 double root_between(const std::array<double, N + 1>& c, double a, double fa, double b, double fb) {
-    // Secant's first guess: pieces are monotone and mostly short.
+    // Secant's first guess: pieces are monotone and mostly short. Not next to an end, where what looks like a
+    // root may be the rounding of one that lies at or beyond that end.
     double x = a - fa * ((b - a) / (fb - fa));
-    if (!(x > a && x < b)) x = 0.5 * (a + b);
+    const double apart = 0x1p-20 * (b - a);
+    if (!(x - a > apart && b - x > apart)) x = 0.5 * (a + b);
     constexpr double eps = std::numeric_limits<double>::epsilon();
     const double least = 0.125 * (b - a);
     double before = b - a;

@@ -56,13 +56,7 @@ Interval wave(double (*f)(double), const Interval& v, double crest, double troug
 
 }  // namespace
 
-Interval hull(const Interval& a, const Interval& b) {
-    return {std::min(a.lo, b.lo), std::max(a.hi, b.hi), a.maybe_nan || b.maybe_nan};
-}
-
-Interval operator-(const Interval& a) { return {-a.hi, -a.lo, a.maybe_nan}; }
-
-Interval operator+(const Interval& a, const Interval& b) {
+Interval add_infinite(const Interval& a, const Interval& b) {
     const bool opposite = (a.hi == infinity && b.lo == -infinity) || (a.lo == -infinity && b.hi == infinity);
     const bool nan = a.maybe_nan || b.maybe_nan || opposite;
     const double lo = a.lo + b.lo;
@@ -70,9 +64,7 @@ Interval operator+(const Interval& a, const Interval& b) {
     return rounded(std::isnan(lo) ? -infinity : lo, std::isnan(hi) ? infinity : hi, nan);
 }
 
-Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
-
-Interval operator*(const Interval& a, const Interval& b) {
+Interval multiply_infinite(const Interval& a, const Interval& b) {
     const bool nan =
         a.maybe_nan || b.maybe_nan || (a.has_infinity() && b.holds(0)) || (b.has_infinity() && a.holds(0));
     // 0 times a bound without end is 0: what lies between is finite.

@@ -42,13 +42,42 @@ struct Interval {
     }
 };
 
-/// The smallest interval that holds both.
-Interval hull(const Interval& a, const Interval& b);
+/// Sum and product where an end is infinite or something overflows.
+Interval add_infinite(const Interval& a, const Interval& b);
+Interval multiply_infinite(const Interval& a, const Interval& b);
 
-Interval operator-(const Interval& a);
-Interval operator+(const Interval& a, const Interval& b);
-Interval operator-(const Interval& a, const Interval& b);
-Interval operator*(const Interval& a, const Interval& b);
+/// The smallest interval that holds both.
+inline Interval hull(const Interval& a, const Interval& b) {
+    return {a.lo < b.lo ? a.lo : b.lo, a.hi > b.hi ? a.hi : b.hi, a.maybe_nan || b.maybe_nan};
+}
+
+inline Interval operator-(const Interval& a) { return {-a.hi, -a.lo, a.maybe_nan}; }
+
+inline Interval operator+(const Interval& a, const Interval& b) {
+    const double lo = a.lo + b.lo;
+    const double hi = a.hi + b.hi;
+    const double width = hi - lo;
+    // Neither nan nor infinite.
+    if (width - width == 0) return {next_below(lo), next_above(hi), a.maybe_nan || b.maybe_nan};
+    return add_infinite(a, b);
+}
+inline Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
+
+inline Interval operator*(const Interval& a, const Interval& b) {
+    const double p = a.lo * b.lo;
+    const double q = a.lo * b.hi;
+    const double r = a.hi * b.lo;
+    const double s = a.hi * b.hi;
+    const double low_p = p < q ? p : q;
+    const double low_r = r < s ? r : s;
+    const double high_p = p > q ? p : q;
+    const double high_r = r > s ? r : s;
+    const double lo = low_p < low_r ? low_p : low_r;
+    const double hi = high_p > high_r ? high_p : high_r;
+    const double all = p + q + r + s;
+    if (all - all == 0) return {next_below(lo), next_above(hi), a.maybe_nan || b.maybe_nan};
+    return multiply_infinite(a, b);
+}
 Interval operator/(const Interval& a, const Interval& b);
 inline Interval& operator+=(Interval& a, const Interval& b) { return a = a + b; }
 inline Interval& operator-=(Interval& a, const Interval& b) { return a = a - b; }

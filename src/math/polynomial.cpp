@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace rb {
 
@@ -15,12 +16,75 @@ namespace {
 
 /// Power coefficients, lowest first, of a polynomial to be looked at over (0, 1].
 struct Powers {
-    std::array<double, most_degree + 1> c{};
+    std::array<double, most_degree + 1> c;  ///< the first degree + 1
     size_t degree = 0;
 };
 
+/// binomials[n][k]: all are exact.
+constexpr auto binomials = [] {
+    std::array<std::array<double, most_degree + 1>, most_degree + 1> table{};
+    for (size_t n = 0; n <= most_degree; ++n) {
+        table[n][0] = 1.0;
+        for (size_t k = 1; k <= n; ++k) table[n][k] = table[n - 1][k - 1] + table[n - 1][k];
+    }
+    return table;
+}();
+
+/// True if the polynomial of degree N (lowest power first) surely has no root in [0, 1].
+template <size_t N>
+bool misses_unit(const double* c) {
+    static constexpr auto shares = [] {
+        std::array<double, N + 1> inverse{};
+        for (size_t k = 0; k <= N; ++k) inverse[k] = 1.0 / binomials[N][k];
+        return inverse;
+    }();
+    std::array<double, N + 1> b;
+    double magnitude = 0.0;
+#pragma GCC unroll 8
+    for (size_t k = 0; k <= N; ++k) {
+        b[k] = c[k] * shares[k];
+        magnitude += std::abs(c[k]);
+    }
+#pragma GCC unroll 8
+    for (size_t k = 1; k <= N; ++k) {
+#pragma GCC unroll 8
+        for (size_t i = N; i >= k; --i) b[i] += b[i - 1];
+    }
+    double least = b[0];
+    double most = b[0];
+#pragma GCC unroll 8
+    for (size_t k = 1; k <= N; ++k) {
+        least = std::min(least, b[k]);
+        most = std::max(most, b[k]);
+    }
+    const double margin = 4.0 * static_cast<double>(N + 5) * 0x1p-53 * magnitude;
+    return least > margin || most < -margin;
+}
+
+constexpr size_t quick_degree = 10;
+constexpr auto misses_unit_of_degree = []<size_t... N>(std::index_sequence<N...>) {
+    return std::array{&misses_unit<N>...};
+}
+(std::make_index_sequence<quick_degree + 1>());
+
+/// The same for parts of [-1, 1] that are not empty; false in doubt.
+bool misses(std::span<const double> c, double lo, double hi) {
+    if (c.empty() || c.size() > quick_degree + 1 || lo < -1.0 || hi > 1.0) return false;
+    std::array<double, quick_degree + 1> low;
+    const auto any_side = [&](double sign) {
+        double power = 1.0;
+        for (size_t i = 0; i < c.size(); ++i) {
+            low[i] = power * c[c.size() - 1 - i];
+            power *= sign;
+        }
+        return misses_unit_of_degree[c.size() - 1](low.data());
+    };
+    return (hi <= 0.0 || any_side(1.0)) && (lo >= 0.0 || any_side(-1.0));
+}
+
 /// The sign at x, from as many bits as it needs.
 bool is_negative_at(const Powers& p, double x) {
+    if (x == 0.0 && p.c[0] != 0.0) return p.c[0] < 0.0;
     double f = p.c[p.degree];
     double magnitude = std::abs(f);
     for (size_t i = p.degree; i-- > 0;) {
@@ -53,7 +117,9 @@ public:
     }
     /// All those in [0, 1] if there is surely none or one; else false.
     bool search_few() {
-        const Signs found = signs(over_unit(), end(0.0), end(1.0));
+        const Coefficients b = over_unit();
+        if (all_beyond_margin(b)) return true;
+        const Signs found = signs(b, end(0.0), end(1.0));
         if (!found.sure || found.changes > 1) return false;
         if (found.changes == 1) add(root_between(end(0.0), end(1.0)));
         return true;
@@ -76,12 +142,9 @@ private:
     /// Bernstein coefficients over [0, 1]: of all intervals this one loses least, since the powers begin at
     /// 0.
     Coefficients over_unit() const {
-        Coefficients b{};
-        double choose = 1.0;
-        for (size_t k = 0; k <= p_.degree; ++k) {
-            b[k] = Real(p_.c[k]) / choose;
-            choose = choose * static_cast<double>(p_.degree - k) / static_cast<double>(k + 1);
-        }
+        Coefficients b;
+        const auto& choose = binomials[p_.degree];
+        for (size_t k = 0; k <= p_.degree; ++k) b[k] = Real(p_.c[k]) / choose[k];
         for (size_t k = 1; k <= p_.degree; ++k) {
             for (size_t i = p_.degree; i >= k; --i) b[i] = b[i] + b[i - 1];
         }
@@ -102,7 +165,8 @@ private:
     }
     template <class Mix>
     Parts cut_by(const Coefficients& b, Mix&& mix) const {
-        Parts parts{{}, b};
+        Parts parts;
+        parts.right = b;
         parts.left[0] = b[0];
         for (size_t k = 1; k <= p_.degree; ++k) {
             for (size_t i = 0; i + k <= p_.degree; ++i)
@@ -129,6 +193,18 @@ private:
         }
         found.changes += hi.negative != negative ? 1 : 0;
         return found;
+    }
+
+    /// True if all are surely of one sign: no root.
+    bool all_beyond_margin(const Coefficients& b) const {
+        size_t above = 0;
+        size_t below = 0;
+        for (size_t i = 0; i <= p_.degree; ++i) {
+            const double v = static_cast<double>(b[i]);
+            above += v > margin_ ? 1 : 0;
+            below += v < -margin_ ? 1 : 0;
+        }
+        return std::max(above, below) > p_.degree;
     }
 
     bool search(const Coefficients& b, const End& lo, const End& hi, int levels) {
@@ -198,13 +274,11 @@ size_t unit_roots(Powers p, double from, double to, std::span<double> roots) {
     double scale = 1.0;
     while (from < to) {
         const size_t before = count;
-        if (from == 0.0 && to == 1.0) {
-            UnitRoots<double> few(p, roots.subspan(count));
-            if (few.search_few()) {
-                count += few.count();
-                for (size_t i = before; i < count; ++i) roots[i] *= scale;
-                break;
-            }
+        UnitRoots<double> few(p, roots.subspan(count));
+        if (few.search_few()) {
+            if (few.count() == 1 && roots[before] >= from && roots[before] <= to)
+                roots[count++] = scale * roots[before];
+            break;
         }
         if (to > 0.5) count += roots_between(p, std::max(from, 0.5), to, roots.subspan(count));
         for (size_t i = before; i < count; ++i) roots[i] *= scale;
@@ -221,10 +295,30 @@ size_t unit_roots(Powers p, double from, double to, std::span<double> roots) {
     return count;
 }
 
+/// True if no product of them overflows and what underflows does not matter.
+bool are_moderate(std::span<const double> c) {
+    constexpr double least = 0x1p-200;
+    constexpr double most = 0x1p200;
+    return std::ranges::all_of(c, [](double a) {
+        const double size = std::abs(a);
+        return a == 0.0 || (size >= least && size <= most);
+    });
+}
+
 /// p(sign 2^exponent u), divided by a power of two so that its largest coefficient is about 1: exact.
 Powers scaled(std::span<const double> c, double sign, int exponent) {
     Powers out;
     out.degree = c.size() - 1;
+    constexpr int most_shift = 200;
+    if (std::abs(exponent) * static_cast<int>(out.degree) <= most_shift && are_moderate(c)) {
+        const double step = sign * std::ldexp(1.0, exponent);
+        double power = 1.0;
+        for (size_t i = 0; i <= out.degree; ++i) {
+            out.c[i] = power * c[out.degree - i];
+            power *= step;
+        }
+        return out;
+    }
     int largest = std::numeric_limits<int>::min();
     for (size_t i = 0; i <= out.degree; ++i) {
         const double a = c[out.degree - i];
@@ -245,6 +339,7 @@ Powers scaled(std::span<const double> c, double sign, int exponent) {
 }  // namespace
 
 int solve_polynomial(std::span<const double> c, double lo, double hi, std::span<double> roots) {
+    if (lo < hi && misses(c, lo, hi)) return 0;
     while (!c.empty() && c.front() == 0.0) c = c.subspan(1);
     size_t at_zero = 0;
     while (!c.empty() && c.back() == 0.0) {
@@ -255,7 +350,7 @@ int solve_polynomial(std::span<const double> c, double lo, double hi, std::span<
     const bool all_finite = std::ranges::all_of(c, [](double a) { return std::isfinite(a); });
     if (!all_finite || !std::isfinite(lo) || !std::isfinite(hi)) return 0;
     size_t count = 0;
-    std::array<double, most_degree> found{};
+    std::array<double, most_degree> found;
     // Either side of 0 is scaled into [0, 1] by a power of two.
     const auto side = [&](double sign, double near, double far) {
         if (!(far > 0.0) || c.size() < 2) return size_t{0};

@@ -99,9 +99,14 @@ int changes_of_quadratic(const std::array<double, 3>& c, bool negative_at_0, boo
         roots[1] = all[1];
         return 2;
     }
+    if (n == 0) {
+        // Then the given sign at one end contradicts a value that is mere rounding.
+        roots[0] = (c[2] < 0.0) == negative_at_0 ? 1.0 : 0.0;
+        return 1;
+    }
     // Between the roots the sign is opposite to that of the leading coefficient.
     const bool second = n == 2 && negative_at_0 == (c[0] > 0.0);
-    roots[0] = n == 0 ? 0.5 : std::clamp(all[second ? 1 : 0], 0.0, 1.0);
+    roots[0] = std::clamp(all[second ? 1 : 0], 0.0, 1.0);
     return 1;
 }
 

@@ -17,4 +17,10 @@ void Function::evaluate_rows(std::span<const double* const> arguments, std::span
 
 Interval Function::bound(std::span<const Interval>, int) const { return Interval::everything(); }
 
+IntervalSlope Function::bound_slope(std::span<const IntervalSlope> arguments, int component) const {
+    std::vector<Interval> values;
+    for (const IntervalSlope& a : arguments) values.push_back(a.value);
+    return IntervalSlope::jumping(bound(values, component));
+}
+
 }  // namespace rb

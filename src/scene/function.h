@@ -1,5 +1,5 @@
 #pragma once
-#include "math/interval.h"
+#include "math/interval_slope.h"
 
 #include <memory>
 #include <span>
@@ -22,6 +22,10 @@ public:
 
     /// Holds result `component` for all arguments within the given intervals.
     virtual Interval bound(std::span<const Interval> arguments, int component) const;
+
+    /// Values and slope of result `component` over an interval of one variable that the arguments are
+    /// functions of.
+    virtual IntervalSlope bound_slope(std::span<const IntervalSlope> arguments, int component) const;
 };
 using FunctionPtr = std::shared_ptr<const Function>;
 

@@ -95,6 +95,15 @@ struct TextureWeight {
 /// How a surface bends. From a flat one no ray comes back to it; from a convex one none that leaves outward.
 enum class Curvature { any, convex, flat };
 
+/// What the language makes a shape's normals of, where they are not exactly those of its surface.
+enum class NormalRule {
+    of_surface,      ///< pointing out of the solid
+    by_point_order,  ///< of the surface, in or out after the order of the points
+    interpolated,    ///< between given ones
+    differences,     ///< differences of a function over a finite step
+    of_iterate       ///< of a surface near by
+};
+
 /// Geometry in its own space, immutable and shared by all its copies. See docs/architecture.md, "Shapes".
 class Shape {
 public:
@@ -156,6 +165,7 @@ public:
     virtual void textures_at(const Vec3& /*p*/, const Crossing&, std::vector<TextureWeight>&) const {}
 
     virtual Curvature curvature() const { return Curvature::any; }
+    virtual NormalRule normal_rule() const { return NormalRule::of_surface; }
 
     /// True for a sphere: the ball in the middle of its box holds it.
     virtual bool fills_ball() const { return false; }
@@ -166,6 +176,9 @@ public:
 
     /// True if the surface consists of triangles already, so that tessellating it changes nothing.
     virtual bool is_faceted() const { return false; }
+
+    /// True for a finite shape of whose meshes nothing is proven: tessellate() never makes one.
+    virtual bool is_always_exact() const { return false; }
 
     /// A mesh within `tolerance` (object units) of the surface; empty for a shape that has no finite surface,
     /// or none that is proven to be near enough: such a shape is always met exactly.

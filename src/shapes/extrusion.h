@@ -32,6 +32,7 @@ public:
     enum Part : uint32_t { cap0 = 0, cap1 = 1, first_wall = 2 };
 
     std::string_view keyword() const override { return swept_->keyword; }
+    NormalRule normal_rule() const override { return NormalRule::by_point_order; }
     Bounds bounds() const override { return box_; }
     Bounds language_extent() const override;
     bool inside(const Vec3& p) const override;

@@ -56,6 +56,9 @@ public:
     Bounds solid_bounds() const override;
     bool inside(const Vec3& p) const override;
     bool is_faceted() const override { return true; }
+    NormalRule normal_rule() const override {
+        return grid_->is_smooth() ? NormalRule::interpolated : NormalRule::of_surface;
+    }
     void crossings(const ShapeRay& ray, Crossings& out) const override;
     bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const override;
     bool any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const override;

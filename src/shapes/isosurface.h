@@ -37,6 +37,8 @@ public:
     explicit Isosurface(IsosurfaceData data);
 
     std::string_view keyword() const override { return "isosurface"; }
+    bool is_always_exact() const override { return true; }
+    NormalRule normal_rule() const override { return NormalRule::differences; }
     Bounds bounds() const override { return bounds_; }
     Bounds language_extent() const override { return data_.box; }
     bool inside(const Vec3& p) const override { return data_.contains(p) && data_.value(p) <= 0.0; }

@@ -63,8 +63,8 @@ struct Isosurface::Span {
     uint32_t leave_part = 0;
 };
 
-/// Finds the zeros along one ray in ascending order: cells that surely hold none are left out, the others are
-/// halved down to the resolution, where a change of sign is one.
+/// Finds the zeros along one ray in ascending order: pieces that surely hold none are left out, where the
+/// value surely rises or falls a change of sign is one zero; the others are halved down to the resolution.
 class Isosurface::Search {
 public:
     Search(const Isosurface& shape, const ShapeRay& query, double level)
@@ -82,9 +82,10 @@ public:
     template <class Take>
     bool run(double a, double fa, double b, double fb, Take& take) const {
         if (a > t_max_) return false;
-        if (surely_none(a, fa, b, fb)) return true;
+        const Found found = shape_.loose_ ? look_loosely(a, fa, b, fb) : look(a, fa, b, fb);
+        if (found == Found::none) return true;
         const double middle = 0.5 * (a + b);
-        if (b - a <= least_ || !(middle > a && middle < b)) {
+        if (found == Found::one || b - a <= least_ || !(middle > a && middle < b)) {
             return below(fa) == below(fb) ||
                    take(bracketed_root([&](double t) { return value(t); }, a, fa, b, fb));
         }
@@ -93,16 +94,44 @@ public:
     }
 
 private:
-    bool surely_none(double a, double fa, double b, double fb) const {
+    enum class Found { none, one, unclear };
+
+    /// `one`: no more than one, which the signs at the ends tell.
+    Found look(double a, double fa, double b, double fb) const {
+        std::array<IntervalSlope, 3> place;
+        for (int i = 0; i < 3; ++i) {
+            const Interval d(ray_.direction[i]);
+            place[static_cast<size_t>(i)] = {Interval(ray_.origin[i]) + Interval(a, b) * d, d};
+        }
+        const IntervalSlope v = shape_.data_.function->bound_slope(place, 0);
+        if (misses_zero(v.value)) return Found::none;
+        const Interval& s = v.slope;
+        if (s.maybe_nan) return Found::unclear;
+        if (s.lo > 0.0 || s.hi < 0.0) return below(fa) == below(fb) ? Found::none : Found::one;
+        // The steepest lines from both ends meet here.
+        if (below(fa) != below(fb) || s.has_infinity()) return Found::unclear;
+        const double down = below(fa) ? s.hi : -s.lo;
+        const double up = below(fa) ? -s.lo : s.hi;
+        const double reach = down * up * (b - a);
+        const double height = std::abs(fa) * up + std::abs(fb) * down;
+        constexpr double rounding = 1e-9;
+        return height > reach * (1.0 + rounding) ? Found::none : Found::unclear;
+    }
+
+    /// Where slopes are not known but for the user's max_gradient.
+    Found look_loosely(double a, double fa, double b, double fb) const {
+        if (below(fa) == below(fb) && std::abs(fa) + std::abs(fb) > steepest_ * (b - a)) return Found::none;
         std::array<Interval, 3> place;
         for (int i = 0; i < 3; ++i) {
             place[static_cast<size_t>(i)] =
                 Interval(ray_.origin[i]) + Interval(a, b) * Interval(ray_.direction[i]);
         }
-        const Interval v =
-            shape_.data_.function->bound(place, 0) - Interval(shape_.data_.threshold) - Interval(level_);
-        if (!v.maybe_nan && (v.lo > 0.0 || v.hi < 0.0)) return true;
-        return shape_.loose_ && below(fa) == below(fb) && std::abs(fa) + std::abs(fb) > steepest_ * (b - a);
+        return misses_zero(shape_.data_.function->bound(place, 0)) ? Found::none : Found::unclear;
+    }
+
+    bool misses_zero(const Interval& function) const {
+        const Interval v = function - Interval(shape_.data_.threshold) - Interval(level_);
+        return !v.maybe_nan && (v.lo > 0.0 || v.hi < 0.0);
     }
 
     const Isosurface& shape_;
@@ -212,7 +241,7 @@ void Isosurface::each_crossing(const ShapeRay& query, Take&& take) const {
         return;
     const double fb = search.value(span.leave);
     // Steps from the front, so that near crossings are found without looking at the whole.
-    constexpr int steps = 16;
+    const int steps = loose_ ? 16 : 2;
     auto function_root = [&](double t) { return take(t, on_function); };
     const double from = a;
     for (int i = 1; i <= steps; ++i) {

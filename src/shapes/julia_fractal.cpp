@@ -41,6 +41,8 @@ public:
     }
 
     std::string_view keyword() const override { return "julia_fractal"; }
+    bool is_always_exact() const override { return true; }
+    NormalRule normal_rule() const override { return NormalRule::of_iterate; }
     Bounds bounds() const override { return bounds_; }
     Bounds language_extent() const override { return {Vec3{-formula_.radius()}, Vec3{formula_.radius()}}; }
     bool inside(const Vec3& p) const override { return formula_.stays(slice_.at(p)); }

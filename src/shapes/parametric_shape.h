@@ -25,6 +25,8 @@ public:
     explicit Parametric(ParametricData data);
 
     std::string_view keyword() const override { return "parametric"; }
+    bool is_always_exact() const override { return true; }
+    NormalRule normal_rule() const override { return NormalRule::differences; }
     Bounds bounds() const override { return bounds_; }
     Bounds language_extent() const override { return data_.container.box; }
     bool inside(const Vec3&) const override { return false; }

@@ -10,13 +10,34 @@ namespace rb {
 
 namespace {
 
-using Univariate = std::array<double, most_degree + 1>;  ///< lowest power first
+/// A polynomial in one variable, lowest power first; none of the powers if it is zero everywhere.
+class Univariate {
+public:
+    Univariate() {}  // NOLINT(modernize-use-equals-default): no need to fill the array
 
-/// p * (a + b t) + q, for p of degree `degree` - 1.
-void multiply_add(Univariate& p, size_t degree, double a, double b, const Univariate& q) {
-    for (size_t i = degree; i > 0; --i) p[i] = p[i] * a + p[i - 1] * b + q[i];
-    p[0] = p[0] * a + q[0];
-}
+    /// Becomes itself times (a + b t).
+    void multiply(double a, double b) {
+        if (size_ == 0) return;
+        c_[size_] = c_[size_ - 1] * b;
+        for (size_t i = size_ - 1; i > 0; --i) c_[i] = c_[i] * a + c_[i - 1] * b;
+        c_[0] *= a;
+        ++size_;
+    }
+    void add(double c) {
+        if (c == 0.0) return;
+        if (size_ == 0) c_[size_++] = 0.0;
+        c_[0] += c;
+    }
+    void add(const Univariate& other) {
+        while (size_ < other.size_) c_[size_++] = 0.0;
+        for (size_t i = 0; i < other.size_; ++i) c_[i] += other.c_[i];
+    }
+    std::span<const double> coefficients() const { return {c_.data(), size_}; }
+
+private:
+    size_t size_ = 0;
+    std::array<double, most_degree + 2> c_;
+};
 
 }  // namespace
 
@@ -33,7 +54,17 @@ size_t poly_index(int order, int i, int j, int k) {
 }
 
 PolyShape::PolyShape(std::string_view keyword, int order, std::vector<double> coefficients)
-    : keyword_(keyword), order_(order), c_(std::move(coefficients)) {}
+    : keyword_(keyword), order_(order), c_(std::move(coefficients)) {
+    const double* c = c_.data();
+    for (int i = order_; i >= 0; --i) {
+        for (int j = order_ - i; j >= 0; --j) {
+            const double* end = c + (order_ - i - j + 1);
+            while (c < end && *c == 0.0) ++c;
+            z_powers_.push_back(static_cast<uint8_t>(end - c));
+            c = end;
+        }
+    }
+}
 
 double PolyShape::value(const Vec3& p) const {
     const double* c = c_.data();
@@ -75,23 +106,30 @@ Vec3 PolyShape::gradient(const Vec3& p) const {
     return g;
 }
 
-/// The polynomial of t at o + t d, lowest power first.
+/// The polynomial of t at o + t d, lowest power first. What is zero costs little: most polynomials are
+/// sparse.
 void PolyShape::along(const Vec3& o, const Vec3& d, std::span<double> out) const {
-    const double* c = c_.data();
-    Univariate in_x{};
+    const double* end = c_.data();
+    const uint8_t* powers = z_powers_.data();
+    Univariate in_x;
     for (int i = order_; i >= 0; --i) {
-        Univariate in_y{};
+        Univariate in_y;
         for (int j = order_ - i; j >= 0; --j) {
-            Univariate in_z{};
-            size_t degree = 0;
-            for (int k = order_ - i - j; k >= 0; --k) {
-                multiply_add(in_z, degree++, o.z, d.z, {*c++});
+            Univariate in_z;
+            end += order_ - i - j + 1;
+            for (const double* c = end - *powers++; c < end; ++c) {
+                in_z.multiply(o.z, d.z);
+                in_z.add(*c);
             }
-            multiply_add(in_y, static_cast<size_t>(order_ - i), o.y, d.y, in_z);
+            in_y.multiply(o.y, d.y);
+            in_y.add(in_z);
         }
-        multiply_add(in_x, static_cast<size_t>(order_), o.x, d.x, in_y);
+        in_x.multiply(o.x, d.x);
+        in_x.add(in_y);
     }
-    std::copy_n(in_x.begin(), out.size(), out.begin());
+    const std::span<const double> found = in_x.coefficients();
+    std::copy(found.begin(), found.end(), out.begin());
+    std::fill(out.begin() + static_cast<std::ptrdiff_t>(found.size()), out.end(), 0.0);
 }
 
 bool PolyShape::starts_here(const ShapeRay& query) const {
@@ -109,16 +147,16 @@ size_t PolyShape::find(const ShapeRay& query, Roots& out) const {
     const double middle = here ? 0.0 : -glm::dot(ray.origin, ray.direction) / (length * length);
     const Vec3 q = ray.at(middle);
     const double scale = std::max(glm::length(q), 1.0) / length;
-    Univariate low{};
+    std::array<double, most_degree + 1> low;
     const auto n = static_cast<size_t>(order_);
     along(q, scale * ray.direction, {low.data(), n + 1});
     // Where the ray starts on the surface, that root is divided out.
     const size_t first = here ? 1 : 0;
     const std::span<double> from_low(low.data() + first, n + 1 - first);
-    Univariate high{};
+    std::array<double, most_degree + 1> high;
     std::reverse_copy(from_low.begin(), from_low.end(), high.begin());
     const std::span<double> from_high(high.data(), from_low.size());
-    std::array<double, most_degree> roots{};
+    std::array<double, most_degree> roots;
     const auto take = [&](int count, bool inverse) {
         for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
             if (inverse && roots[i] == 0.0) continue;

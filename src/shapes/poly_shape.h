@@ -24,7 +24,7 @@ public:
 
     template <class Sink>
     void each_crossing(const ShapeRay& query, Sink&& sink) const {
-        Roots roots{};
+        Roots roots;
         const size_t n = find(query, roots);
         for (size_t i = 0; i < n; ++i) sink(roots[i], 0u, Vec2{0.0});
     }
@@ -40,6 +40,7 @@ private:
     std::string keyword_;
     int order_;
     std::vector<double> c_;
+    std::vector<uint8_t> z_powers_;  ///< of each power of x and y: 1 + the highest power of z with them, or 0
 };
 
 /// Reads the coefficients of `order` in the language's order.

@@ -35,6 +35,7 @@ public:
     SphereSweep(std::vector<SweepPiece> pieces, const Bounds& extent);
 
     std::string_view keyword() const override { return "sphere_sweep"; }
+    bool is_always_exact() const override { return true; }
     Bounds bounds() const override { return bounds_; }
     Bounds language_extent() const override { return extent_; }
     bool inside(const Vec3& p) const override;

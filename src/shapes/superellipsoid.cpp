@@ -33,6 +33,7 @@ public:
         : frame_(frame), east_(east), north_(north), p_(2.0 / std::abs(east)), q_(2.0 / std::abs(north)) {}
 
     std::string_view keyword() const override { return "superellipsoid"; }
+    bool is_always_exact() const override { return true; }
     bool is_convex() const { return p_ >= 1.0 && q_ >= 1.0; }
     Curvature curvature() const override { return is_convex() ? Curvature::convex : Curvature::any; }
 

@@ -40,6 +40,9 @@ public:
 
     std::string_view keyword() const override { return normals_ ? "smooth_triangle" : "triangle"; }
     Curvature curvature() const override { return Curvature::flat; }
+    NormalRule normal_rule() const override {
+        return normals_ ? NormalRule::interpolated : NormalRule::of_surface;
+    }
     Bounds bounds() const override {
         Bounds box;
         if (degenerate_) return box;

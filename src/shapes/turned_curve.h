@@ -25,6 +25,10 @@ public:
     TurnedShape(std::shared_ptr<const TurnedCurve> curve, const Transform& object_from_local);
 
     std::string_view keyword() const override { return curve_->keyword; }
+    NormalRule normal_rule() const override {
+        // The heights of a sor rise from point to point.
+        return curve_->outline.pieces().empty() ? NormalRule::of_surface : NormalRule::by_point_order;
+    }
     Bounds bounds() const override { return box_; }
     Bounds language_extent() const override;
     bool inside(const Vec3& p) const override;

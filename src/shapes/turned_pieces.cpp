@@ -194,9 +194,9 @@ TurnedPieces::Contact TurnedPieces::nearest_on(uint32_t index, const Vec2& p) co
 TurnedPieces::Contact TurnedPieces::settle(uint32_t index, const Vec2& p, double w, const Vec2& at) const {
     const TurnedPiece& piece = pieces_[index];
     return settle_on_curve(piece, index, p, w, at, [&](double at_w, const Vec2& here) {
-        Vec2 along = piece.slope(at_w);
-        if (here.x > 0.0) along.x /= here.x;
-        return along;
+        const Vec2 along = piece.slope(at_w);
+        // On the axis the squared radius does not tell the radius' slope.
+        return here.x > 0.0 ? Vec2{along.x / here.x, along.y} : Vec2{0.0};
     });
 }
 

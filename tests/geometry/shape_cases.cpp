@@ -64,10 +64,7 @@ bool bounds_a_body(const Shape& shape) {
     return !shape.is_patch() && shape.solid_bounds().is_finite() == shape.bounds().is_finite();
 }
 
-bool has_outward_normals(const Shape& shape) {
-    constexpr std::array<std::string_view, 3> free{"prism", "text", "lathe"};
-    return std::ranges::find(free, shape.keyword()) == free.end();
-}
+bool has_outward_normals(const Shape& shape) { return shape.normal_rule() != NormalRule::by_point_order; }
 
 ObjectPtr placed(std::string_view statement, const Transform& map) {
     auto object = std::make_shared<Object>(*object_from(statement));

@@ -3,7 +3,6 @@
 #include "tests/geometry/shape_cases.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -118,12 +117,9 @@ Restart restart_of(const Shape& s) {
     Restart r;
     const bool infinite = !s.bounds().is_finite();
     r.closed = bounds_a_body(s) && !infinite;
-    constexpr std::array<std::string_view, 2> bowls{"height_field", "parametric"};
-    const bool bowl = std::ranges::find(bowls, s.keyword()) != bowls.end();
-    r.returns = r.closed || bowl || (infinite && s.curvature() != Curvature::flat && s.keyword() != "plane");
-    // By the language their normals are differences over `accuracy`, or those of another iterate.
-    if (s.keyword() == "isosurface" || s.keyword() == "parametric") r.least_sine = 0.01;
-    if (s.keyword() == "julia_fractal") {
+    r.returns = s.curvature() != Curvature::flat;
+    if (s.normal_rule() == NormalRule::differences) r.least_sine = 0.01;
+    if (s.normal_rule() == NormalRule::of_iterate) {
         r.least_sine = 1.0;
         r.least_facing = 0.3;
     }
@@ -234,7 +230,7 @@ TEST_P(EveryShape, TransformedIsTheSameAsATransformBesideIt) {
             EXPECT_NEAR(a.t, b.t, 1e-10);
             // The language makes vertex normals unit again after each transformation: a map that stretches
             // one way more than another changes what lies between them.
-            if (kind().keyword == "smooth_triangle" && t == map) continue;
+            if (s->normal_rule() == NormalRule::interpolated && t == map) continue;
             const Vec3 n = glm::normalize(moved->normal(from + a.t * d, a));
             const Vec3 m = glm::normalize(t.normal(s->normal(t.inverse_point(from + b.t * d), b)));
             // Triangles may turn over (language rule).
@@ -266,22 +262,11 @@ double distance_across(const Shape& s, const Vec3& p, const Vec3& n) {
     return best;
 }
 
-/// Finite shapes for which no mesh with a proven bound is made: always met exactly.
-bool has_no_mesh(const Shape& s) {
-    constexpr std::array<std::string_view, 5> shapes{"isosurface", "superellipsoid", "sphere_sweep",
-                                                     "parametric", "julia_fractal"};
-    return std::ranges::find(shapes, s.keyword()) != shapes.end();
-}
-
 TEST_P(EveryShape, TessellationIsClosedOutwardAndWithinItsBound) {
     const ShapePtr s = shape();
     for (const double tolerance : {0.02, 0.001}) {
         const auto mesh = s->tessellate(tolerance);
-        if (infinite()) {
-            EXPECT_FALSE(mesh.has_value());
-            return;
-        }
-        if (has_no_mesh(*s)) {
+        if (infinite() || s->is_always_exact()) {
             EXPECT_FALSE(mesh.has_value());
             return;
         }

@@ -82,7 +82,7 @@ void coincident_solids(const Effort& effort, Table& table) {
     };
     std::vector<Pair> pairs;
     for (const ShapeCase& c : shape_cases()) {
-        // Of infinite solids rounding decides, as in POV-Ray (docs/differences.md).
+        // Of infinite solids rounding decides, as in POV-Ray (docs/differences.md, coincident curved faces).
         const ShapePtr shape = shape_from(c.statement);
         if (!bounds_a_body(*shape) || !shape->solid_bounds().is_finite()) continue;
         const bool nothing = c.kind->keyword == "cylinder" || c.kind->keyword == "cone";

@@ -213,8 +213,38 @@ Trial follow(const Solid& solid, const Ray& ray) {
     return judge(solid.name, ShapeTruth(*solid.exact), ray, std::move(t));
 }
 
+/// Rays that once entered and did not leave.
+struct Find {
+    std::string_view solid;
+    Ray ray;
+};
+constexpr std::array<Find, 3> finds{{
+    // A root next to the end of a piece.
+    {"lathe_4",
+     {{1.8891655591404368, 0.11969064497713161, 3.8889636569248918},
+      {-0.47229138978510921, 0.0062101512557170965, -0.88142060173122294}}},
+    // Out through the tip.
+    {"sor_2",
+     {{3.1363865114646008, 1.7430288867507562, -1.0639083907482705},
+      {-0.7840966278661502, -0.56075722168768904, 0.26597709768706762}}},
+    // In next to a flat end on the axis.
+    {"lathe_3",
+     {{-2.8081364572889833, 1.4043563635394771, 2.6915083419191941},
+      {0.70275627241413863, -0.22624016872213326, -0.6744990790499017}}},
+}};
+
+void once_lost(const std::vector<Solid>& solids, Table& table) {
+    table.run_listed("once lost", finds.size(), [&](size_t i) -> Trial {
+        const auto solid = std::ranges::find(solids, finds[i].solid, &Solid::name);
+        if (solid == solids.end()) return {true, std::string(finds[i].solid) + ": no such solid"};
+        Trial trial = all_crossings(solid->name, *solid->exact, ShapeTruth(*solid->exact), finds[i].ray);
+        return trial.failure.empty() ? follow(*solid, finds[i].ray) : trial;
+    });
+}
+
 void run(const Effort& effort, Table& table) {
     const std::vector<Solid> solids = make_solids();
+    once_lost(solids, table);
     struct Kind {
         std::string_view name;
         Aim aim;

@@ -20,13 +20,12 @@ struct Standing {
     double sine;  ///< of the light above the surface
 };
 
-/// By the language a smooth triangle's normal is not its plane's, an isosurface's is a difference over
-/// `accuracy`, and a fractal's is that of some iterate: its surface shades itself at any angle.
+/// With normals between given ones or of another iterate a surface shades itself at any angle.
 bool has_normals_of_its_surface(const Shape& shape) {
-    return shape.keyword() != "smooth_triangle" && shape.keyword() != "julia_fractal";
+    return shape.normal_rule() != NormalRule::interpolated && shape.normal_rule() != NormalRule::of_iterate;
 }
 double sine_for(const Shape& shape) {
-    return shape.keyword() == "isosurface" ? 0.02 : std::cos(89.9 * pi / 180.0);
+    return shape.normal_rule() == NormalRule::differences ? 0.02 : std::cos(89.9 * pi / 180.0);
 }
 
 std::vector<Standing> make_standing(double scale, double sizes) {
