@@ -71,6 +71,8 @@ void read_normal_body(BlockReader& in, Normal& normal) {
     if (in.take_word("uv_mapping")) normal.uv_mapping = true;
     const TakenPattern taken = take_pattern(in, normal.modifiers);
     if (taken.taken) {
+        if (taken.pattern && taken.pattern->has_colors())
+            in.fail("Keyword 'image_map' can only be used in a pigment statement.");
         normal.average = taken.average;
         normal.pattern = taken.pattern;
         if (taken.kind && taken.kind->list_size > 0) {

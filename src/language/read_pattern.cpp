@@ -269,9 +269,7 @@ TakenPattern take_pattern(BlockReader& in, PatternModifiers& modifiers) {
         return out;
     }
     out.pattern = skip_pattern(in);
-    if (word == "image_map" || word == "image_pattern" || word == "bump_map" || word == "object") {
-        modifiers.frequency = 0;
-    }
+    if (word == "object") modifiers.frequency = 0;
     return out;
 }
 

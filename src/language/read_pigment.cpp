@@ -98,8 +98,10 @@ void read_kind(BlockReader& in, Pigment& pigment) {
     }
     const TakenPattern taken = take_pattern(in, pigment.modifiers);
     if (!taken.taken) return;
-    if (taken.pattern && taken.pattern->keyword() == "facets")
-        in.fail("Keyword 'facets' can only be used in a normal statement.");
+    for (const std::string_view word : {"facets", "bump_map"}) {
+        if (taken.pattern && taken.pattern->keyword() == word)
+            in.fail(fmt::format("Keyword '{}' can only be used in a normal statement.", word));
+    }
     pigment.average = taken.average;
     pigment.source = std::monostate{};
     if (taken.pattern) pigment.source = taken.pattern;

@@ -1,7 +1,7 @@
 // texture, texture_map, layers. Language spec 18.1.
 #include "language/read_map.h"
 #include "language/read_pattern.h"
-#include "language/skipped.h"
+#include "patterns/material_map.h"
 
 #include <fmt/format.h>
 
@@ -46,18 +46,18 @@ void read_tiles(const Block& block, const ReadContext& context, Texture& texture
     texture.modifiers.frequency = 0;
 }
 
-/// A material_map is not drawn yet: its first texture stands for all.
-void read_material_map(const Block& block, const ReadContext& context, TextureLayers& layers) {
+/// material_map { PICTURE texture ... }: a list of textures, chosen pixel by pixel.
+void read_material_map(const Block& block, const ReadContext& context, Texture& texture) {
     BlockReader in(block, context);
-    while (!in.at_end() && !in.at_block("texture")) skip_item(in);
-    TexturePtr first;
+    ImageField field = take_image_field(in);
+    if (!in.at_block("texture")) in.fail(fmt::format("Expected 'texture', {} found instead", in.found()));
     while (in.at_block("texture")) {
-        TexturePtr texture = read_texture(in.block("texture"), context);
-        if (!first) first = std::move(texture);
+        TexturePtr child = read_texture(in.block("texture"), context);
+        texture.map.push_back({static_cast<float>(texture.map.size()), std::move(child)});
     }
     in.finish();
-    context.diagnostics->unsupported(block.where, "material_map", "its first texture is used everywhere");
-    if (first) layers = *first;
+    texture.pattern = material_map_pattern(std::move(field), texture.map.size());
+    texture.modifiers.frequency = 0;
 }
 
 void read_patterned(BlockReader& in, TextureLayers& layers) {
@@ -65,11 +65,11 @@ void read_patterned(BlockReader& in, TextureLayers& layers) {
     texture.where = in.block_where();
     texture.uv_mapping = layers.front().uv_mapping;
     if (in.at_block("material_map")) {
-        read_material_map(in.block("material_map"), in.context(), layers);
+        read_material_map(in.block("material_map"), in.context(), texture);
         Transform map;
         while (take_transformation(in, map)) {
         }
-        for (Texture& layer : layers) layer = transformed(layer, map);
+        layers = {transformed(texture, map)};
         return;
     }
     if (in.at_block("tiles")) {

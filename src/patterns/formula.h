@@ -28,6 +28,12 @@ inline double fraction(double v) { return v - std::floor(v); }
 inline double floor_below(double v) { return v >= 0.0 ? std::floor(v) : -std::floor(-v) - 1.0; }
 inline double cycloidal(double v) { return std::sin(2.0 * pi * v); }
 inline double triangle(double v) { return 1.0 - std::abs(2.0 * fraction(v) - 1.0); }
+/// Angle from +x towards +z, in [0, 2 pi).
+inline double turn(double x, double z) {
+    if (z == 0.0) return x > 0.0 ? 0.0 : pi;
+    const double a = std::acos(x / std::sqrt(x * x + z * z));
+    return z < 0.0 ? 2.0 * pi - a : a;
+}
 /// One in the centre, nothing from 1 outward.
 inline double faded(double r) { return r < 0.0 ? 1.0 : (r > 1.0 ? 0.0 : 1.0 - r); }
 inline double single(double v) { return static_cast<double>(static_cast<float>(v)); }

@@ -36,6 +36,13 @@ public:
     /// Pattern::perturb at points that have been carried.
     bool perturb(const PatternSamples& carried, float amount, std::span<Vec3> normals) const;
 
+    /// Pattern::colors of patterns that have them.
+    bool has_colors() const { return pattern_ && pattern_->has_colors(); }
+    bool passes_light() const { return pattern_ && pattern_->passes_light(); }
+    void colors(const PatternSamples& carried, std::span<Color> out) const {
+        pattern_->colors(carried.points, out);
+    }
+
     bool needs_surface() const { return pattern_ && pattern_->needs_surface(); }
     /// The transformations of the chain, which normals must be carried through.
     const PatternModifiers& modifiers() const { return modifiers_; }

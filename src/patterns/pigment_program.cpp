@@ -30,7 +30,7 @@ bool usable(const Color& quick) {
 
 /// Pattern and map, with what the map holds.
 struct PigmentProgram::Map {
-    enum class Kind { colors, children, average };
+    enum class Kind { picture, colors, children, average };
 
     /// True if there is something to choose from.
     bool take(const Pigment& pigment, const PatternSettings& settings);
@@ -71,6 +71,10 @@ bool PigmentProgram::Map::take(const Pigment& pigment, const PatternSettings& se
     }
     uv_mapping = pigment.uv_mapping;
     field = PatternField(pigment.average ? nullptr : *pattern, pigment.modifiers, settings);
+    if (field.has_colors()) {
+        kind = Kind::picture;
+        return true;
+    }
     if (const auto* map = std::get_if<BlendMap<PigmentPtr>>(&pigment.map); map && !map->empty()) {
         set_children(*map, settings);
     } else if (const auto* list = std::get_if<ColorMap>(&pigment.map); list && !list->empty()) {
@@ -111,7 +115,7 @@ void PigmentProgram::Map::set_colors(const ColorMap& map) {
 bool PigmentProgram::passes_light() const {
     const auto passes = [](const Color& c) { return c.filter != 0.0f || c.transmit != 0.0f; };
     if (!map_) return passes(color_);
-    return std::any_of(map_->colors.begin(), map_->colors.end(), passes) ||
+    return map_->field.passes_light() || std::any_of(map_->colors.begin(), map_->colors.end(), passes) ||
            std::any_of(map_->children.begin(), map_->children.end(),
                        [](const PigmentProgram& child) { return child.passes_light(); });
 }
@@ -133,6 +137,8 @@ void PigmentProgram::Map::evaluate(const PatternSamples& samples, std::span<Colo
     const auto points = uv_mapping ? uv_points(samples, memory) : samples.points;
     const PatternSamples moved = samples.at(carried(field, points, memory));
     switch (kind) {
+        case Kind::picture:
+            return field.colors(moved, out);
         case Kind::colors:
             return evaluate_colors(moved, out);
         case Kind::children:

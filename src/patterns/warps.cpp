@@ -11,13 +11,6 @@ namespace rb {
 
 namespace {
 
-/// Angle from +x towards +z, in [0, 2 pi).
-double turn(double x, double z) {
-    if (z == 0.0) return x > 0.0 ? 0.0 : pi;
-    const double a = std::acos(x / std::sqrt(x * x + z * z));
-    return z < 0.0 ? 2.0 * pi - a : a;
-}
-
 double scaled_by_distance(double a, double distance, double exponent) {
     if (exponent == 0.0) return a;
     if (exponent == 1.0) return a * distance;

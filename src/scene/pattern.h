@@ -98,6 +98,12 @@ public:
                          std::span<Vec3> /*normals*/) const {
         return false;
     }
+    /// True for pictures (image_map), which have colours instead of values that a map turns into colours.
+    virtual bool has_colors() const { return false; }
+    /// These colours, at points that have already been carried through the warps.
+    virtual void colors(std::span<const Vec3> /*points*/, std::span<Color> /*out*/) const {}
+    /// True if some of them may have filter or transmit.
+    virtual bool passes_light() const { return false; }
     /// True if classic turbulence acts inside the formula only and does not move the points (marble, wood).
     virtual bool keeps_turbulence() const { return false; }
     /// False if this instance wants the black to white map although its kind has a default map.

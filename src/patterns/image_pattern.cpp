@@ -1,0 +1,42 @@
+// image_pattern (manual 3.4.7.1.16): the grey of a picture, or what its alpha lets through.
+#include "patterns/formula.h"
+#include "patterns/image_field.h"
+
+namespace rb {
+
+namespace {
+
+class ImagePattern final : public PointPattern<ImagePattern> {
+public:
+    explicit ImagePattern(ImageField field) : field_(std::move(field)) {}
+    std::string_view keyword() const override { return "image_pattern"; }
+    double value(const Vec3& p) const {
+        const auto place = field_.place(p);
+        if (!place) return 0.0;
+        const Color color = field_.color(*place);
+        if (!field_.options().use_alpha) return clamp01(static_cast<double>(grey(color.rgb())));
+        return clamp01(static_cast<double>(field_.texels().has_alpha() ? color.transmit : color.red));
+    }
+
+private:
+    ImageField field_;
+};
+
+PatternPtr read(BlockReader& outer) {
+    BlockReader in(outer.block("image_pattern"), outer.context());
+    auto pattern = std::make_shared<ImagePattern>(take_image_field(in));
+    in.finish();
+    return pattern;
+}
+
+}  // namespace
+
+namespace patterns {
+extern const PatternKind image_pattern;
+const PatternKind image_pattern{.keyword = "image_pattern",
+                                .read = read,
+                                .default_frequency = 0,
+                                .example = "image_pattern { function 4, 3 { pattern { gradient y } } }"};
+}  // namespace patterns
+
+}  // namespace rb
