@@ -1,5 +1,6 @@
 // camera. Language spec 20.1, geometry 18.1 and 18.2.
 #include "language/read.h"
+#include "language/read_mesh_camera.h"
 
 #include <cmath>
 
@@ -23,9 +24,9 @@ constexpr Kind kinds[] = {
 
 bool take_kind(BlockReader& in, Camera& camera) {
     if (in.at_block("mesh_camera")) {
-        in.diagnostics().unsupported(in.where(), "mesh_camera", "a perspective camera is used");
-        in.skip_item();
-        in.take_word("smooth");
+        camera.kind = CameraKind::mesh_camera;
+        camera.mesh = read_mesh_camera(in.block("mesh_camera"), in.context());
+        in.context().session->experimental.insert("mesh camera");
         return true;
     }
     for (const Kind& kind : kinds) {
@@ -127,6 +128,13 @@ void take_angle(BlockReader& in, CameraDraft& draft) {
     if (is_early(in) && camera.kind == CameraKind::perspective && draft.has_angle) scale_by_angle(camera);
 }
 
+PigmentPtr read_bokeh(const Block& block, const ReadContext& context) {
+    BlockReader in(block, context);
+    PigmentPtr pigment = read_pigment(in.block("pigment"), context, nullptr);
+    in.finish();
+    return pigment;
+}
+
 bool take_blur(BlockReader& in, CameraDraft& draft) {
     Camera& camera = draft.camera;
     const SourceRange at = in.where();
@@ -161,11 +169,9 @@ bool take_blur(BlockReader& in, CameraDraft& draft) {
             in.diagnostics().warning(at, "Illegal variance value: the default is used.");
         }
     } else if (in.at_block("bokeh")) {
-        in.skip_item();
-        in.diagnostics().unsupported(at, "bokeh", "the lens is a plain disc");
+        camera.bokeh = read_bokeh(in.block("bokeh"), in.context());
     } else if (in.at_block("normal")) {
-        read_normal(in.block("normal"), in.context(), nullptr);
-        in.diagnostics().unsupported(at, "camera normal", "rays are not disturbed");
+        camera.normal = read_normal(in.block("normal"), in.context(), camera.normal);
     } else {
         return false;
     }
@@ -193,6 +199,10 @@ void resolve(BlockReader& in, CameraDraft& draft, const Transform& map) {
     if (draft.has_focal_point) camera.focal_distance = glm::length(draft.focal_point - camera.location);
     if (camera.focal_distance == 0) camera.focal_distance = 1;
     if (!early) move(camera, map);
+    if (camera.mesh && camera.aperture != 0.0 && camera.blur_samples > 0) {
+        in.diagnostics().warning(camera.where, "A mesh_camera has no lens: the aperture is left out.");
+        camera.aperture = 0.0;
+    }
     const bool skewed = std::abs(glm::dot(camera.direction, camera.up)) > tiny ||
                         std::abs(glm::dot(camera.direction, camera.right)) > tiny ||
                         std::abs(glm::dot(camera.up, camera.right)) > tiny;
@@ -231,7 +241,7 @@ void read_camera_draft(const Block& block, const ReadContext& context, CameraDra
     }
     while (!in.at_end()) {
         if (take_vector(in, draft) || take_blur(in, draft)) continue;
-        if (in.take_word("angle")) {
+        if (draft.camera.kind != CameraKind::mesh_camera && in.take_word("angle")) {
             take_angle(in, draft);
             continue;
         }

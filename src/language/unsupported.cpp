@@ -55,6 +55,14 @@ public:
         }
     }
 
+    void normal(const NormalPtr& normal) {
+        if (!normal || !is_new(normal)) return;
+        pattern(normal->pattern);
+        if (const auto* map = std::get_if<BlendMap<NormalPtr>>(&normal->map)) {
+            for (const auto& entry : *map) this->normal(entry.value);
+        }
+    }
+
 private:
     /// What nobody else holds is met once, if that is true of everything on the way to it.
     template <class T>
@@ -72,14 +80,6 @@ private:
         }
     }
 
-    void normal(const NormalPtr& normal) {
-        if (!normal || !is_new(normal)) return;
-        pattern(normal->pattern);
-        if (const auto* map = std::get_if<BlendMap<NormalPtr>>(&normal->map)) {
-            for (const auto& entry : *map) this->normal(entry.value);
-        }
-    }
-
     void pattern(const PatternPtr& pattern) {
         const auto* unknown = dynamic_cast<const UnsupportedPattern*>(pattern.get());
         if (!unknown) return;
@@ -94,11 +94,9 @@ private:
 }  // namespace
 
 void report_unsupported(const Scene& scene, Diagnostics& diagnostics) {
-    const Camera& camera = scene.camera;
-    if (camera.aperture != 0.0 && camera.blur_samples > 0) {
-        diagnostics.unsupported(camera.where, "focal blur", "everything is sharp");
-    }
     Walk walk(diagnostics);
+    walk.normal(scene.camera.normal);
+    walk.pigment(scene.camera.bokeh);
     for (const ObjectPtr& object : scene.objects) walk.object(object);
     if (scene.sky_sphere) {
         for (const PigmentPtr& pigment : scene.sky_sphere->pigments) walk.pigment(pigment);

@@ -22,11 +22,39 @@ uint64_t seed_of(const Vec2& p) {
 
 void Sampler::sample(std::span<const Vec2> positions, std::span<Radiance> out) {
     if (lens_.is_open()) return sample_through_lens(positions, out);
+    if (rays_.rays_per_position() > 1) return sample_several(positions, out);
     Scratch::Scope memory(thread_scratch());
     const auto batch = memory.take<CameraRay>(positions.size());
     rays_.at(positions, batch);
     for (size_t i = 0; i < positions.size(); ++i) batch[i].seed = seed_of(positions[i]);
     integrator_.trace(batch, out, counters_);
+}
+
+/// The mean over those rays of a position that exist.
+void Sampler::sample_several(std::span<const Vec2> positions, std::span<Radiance> out) {
+    const int several = rays_.rays_per_position();
+    Scratch::Scope memory(thread_scratch());
+    const auto batch = memory.take<CameraRay>(static_cast<size_t>(several));
+    const auto lights = memory.take<Radiance>(batch.size());
+    for (size_t i = 0; i < positions.size(); ++i) {
+        const Vec2& p = positions[i];
+        for (int k = 0; k < several; ++k) {
+            CameraRay& ray = batch[static_cast<size_t>(k)];
+            ray.exists = rays_.at(p.x, p.y, k, ray.ray);
+            ray.seed = mixed(seed_of(p), static_cast<uint64_t>(k));
+        }
+        integrator_.trace(batch, lights, counters_);
+        Radiance sum;
+        int count = 0;
+        for (size_t k = 0; k < batch.size(); ++k) {
+            if (!batch[k].exists) continue;
+            sum.rgb += lights[k].rgb;
+            sum.transmit += lights[k].transmit;
+            ++count;
+        }
+        const float scale = 1.0f / static_cast<float>(std::max(count, 1));
+        out[i] = count > 0 ? Radiance{sum.rgb * scale, sum.transmit * scale} : lights.front();
+    }
 }
 
 /// Chunk by chunk over all positions that want more samples still.

@@ -36,6 +36,7 @@ public:
     void sample(std::span<const Vec2> positions, std::span<Radiance> out);
 
 private:
+    void sample_several(std::span<const Vec2> positions, std::span<Radiance> out);
     void sample_through_lens(std::span<const Vec2> positions, std::span<Radiance> out);
 
     const Integrator& integrator_;

@@ -3,10 +3,12 @@
 #include "math/chi_square.h"
 #include "math/jitter.h"
 #include "math/shuffle.h"
+#include "patterns/pigment_program.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 namespace rb {
 
@@ -132,16 +134,14 @@ void add_points(std::vector<Vec2>& points, int count) {
 
 }  // namespace
 
-Lens::Lens(const Camera& camera) {
+Lens::Lens(const Camera& camera, const PatternSettings& patterns) {
     if (camera.aperture == 0.0 || camera.blur_samples <= 0) return;
     const int count = camera.blur_samples;
-    const LensGrid& grid = *std::ranges::find_if(grids, [&](const LensGrid& g) { return count >= g.least; });
-    const auto base = grid.points.first(std::min(grid.points.size(), static_cast<size_t>(count)));
-    points_.assign(base.begin(), base.end());
-    add_points(points_, count);
-    chunks_ = grid.chunks;
-    const bool exact = static_cast<size_t>(count) == grid.points.size() && !grid.chunks.empty();
-    jitter_ = exact ? grid.jitter : 0.5 / std::sqrt(static_cast<double>(count));
+    if (camera.bokeh) {
+        lay_bokeh(*camera.bokeh, patterns, count);
+    } else {
+        lay_grid(count);
+    }
     thresholds_.assign(static_cast<size_t>(count), 0.0);
     if (count > 1 && camera.variance > 0.0) {
         const double p = 1.0 - camera.confidence;
@@ -160,6 +160,33 @@ Lens::Lens(const Camera& camera) {
     across_ = unit(glm::cross(camera.up, camera.direction));
     upward_ = unit(glm::cross(camera.direction, camera.right));
     direction_length_ = glm::length(camera.direction);
+}
+
+void Lens::lay_grid(int count) {
+    const LensGrid& grid = *std::ranges::find_if(grids, [&](const LensGrid& g) { return count >= g.least; });
+    const auto base = grid.points.first(std::min(grid.points.size(), static_cast<size_t>(count)));
+    points_.assign(base.begin(), base.end());
+    add_points(points_, count);
+    chunks_ = grid.chunks;
+    const bool exact = static_cast<size_t>(count) == grid.points.size() && !grid.chunks.empty();
+    jitter_ = exact ? grid.jitter : 0.5 / std::sqrt(static_cast<double>(count));
+}
+
+/// Points fall where the pigment, over the square of the lens, is bright.
+void Lens::lay_bokeh(const Pigment& pigment, const PatternSettings& patterns, int count) {
+    const PigmentProgram program(pigment, patterns);
+    std::mt19937 random;
+    const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32; };
+    uniform();
+    const double all = static_cast<double>(count) * count;
+    for (uint32_t draws = 1; points_.size() < static_cast<size_t>(count); ++draws) {
+        const Vec2 place{radical_inverse(2, draws), radical_inverse(3, draws)};
+        const Vec3 point{place, 0.0};
+        Color color;
+        program.evaluate({{&point, 1}}, {&color, 1});
+        if (uniform() <= static_cast<double>(grey(color.rgb())) + draws / all) points_.push_back(place - 0.5);
+    }
+    jitter_ = 0.5 / std::sqrt(static_cast<double>(count));
 }
 
 int Lens::next_chunk(int count) const {
@@ -185,15 +212,16 @@ bool Lens::ray(const CameraRays& rays, double x, double y, int index, Ray& out) 
     const Vec2 fine = position_jitter(dx, dy);
     dx += (fine.x - 0.5) / 16.0;
     dy += (fine.y - 0.5) / 16.0;
-    const auto way = rays.direction(x + dx, y + dy);
-    if (!way) return false;
+    const auto view = rays.view(x + dx, y + dy, 0);
+    if (!view) return false;
     const Vec2 moved = position_jitter(x + dx + 0.5, y + dy - 0.5);
     const Vec2& point = points_[static_cast<size_t>(index)];
     const double along_x = radius_ * (point.x + 2.0 * jitter_ * moved.x);
     const double along_y = radius_ * (point.y + 2.0 * jitter_ * moved.y);
     const Vec3 offset = along_x * across_ - along_y * upward_;
     out.origin = location_ + offset;
-    out.direction = glm::normalize(*way * (focal_distance_ / direction_length_) - offset);
+    out.direction = glm::normalize(view->direction * (focal_distance_ / direction_length_) - offset);
+    rays.disturb(view->place, out.direction);
     return true;
 }
 

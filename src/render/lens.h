@@ -19,7 +19,7 @@ struct LensSum {
 /// they differ (geometry spec 19).
 class Lens {
 public:
-    explicit Lens(const Camera& camera);
+    Lens(const Camera& camera, const PatternSettings& patterns);
 
     /// False for a pinhole.
     bool is_open() const { return !points_.empty(); }
@@ -34,6 +34,9 @@ public:
     bool is_settled(const LensSum& sum) const;
 
 private:
+    void lay_grid(int count);
+    void lay_bokeh(const Pigment& pigment, const PatternSettings& patterns, int count);
+
     std::vector<Vec2> points_;        ///< in the unit disc's half size, [-0.5, 0.5]
     std::vector<double> thresholds_;  ///< variance that ends the sampling, by number of samples less one
     std::span<const int> chunks_;

@@ -40,8 +40,9 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
     result.film.pixels.resize(static_cast<size_t>(options.width) * static_cast<size_t>(options.height));
 
     const Integrator integrator(world, options.shading);
-    const CameraRays rays(world.camera, options.width, options.height);
-    const Lens lens(world.camera);
+    const PatternSettings patterns{world.settings.noise_generator, world.settings.number_of_waves};
+    const CameraRays rays(world.camera, patterns, options.width, options.height);
+    const Lens lens(world.camera, patterns);
     const SampleDistance distance(world.settings.assumed_gamma, options.antialias.gamma);
     const std::vector<PixelBlock> blocks = blocks_of(region, options.block_size);
 

@@ -13,6 +13,8 @@ namespace {
 /// Length of a ray that hits nothing, for the atmosphere.
 constexpr double endless = 2e10;
 
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
 constexpr uint32_t bundle_size = 64;
 
 uint8_t mask_of(const PathRay& ray) { return ray.reflected ? seen_by_reflection : seen_by_image; }
@@ -33,6 +35,8 @@ void RayStream::start(std::span<const CameraRay> rays) {
     state_.slots.assign(rays.size(), LightSlot{});
     state_.blockers.assign(program_.sample_count, no_leaf);
     state_.counters = {};
+    const MeshCamera* mesh = program_.world.camera.mesh.get();
+    state_.reach = mesh && mesh->max_distance > 0.0 ? std::nextafter(mesh->max_distance, 0.0) : unlimited;
     if (!(1.0f >= program_.world.settings.adc_bailout)) return;
 
     Vec3 origin = program_.world.camera.location;
@@ -56,6 +60,7 @@ void RayStream::start(std::span<const CameraRay> rays) {
 void RayStream::run_wave() {
     intersect();
     shade_hits();
+    state_.reach = unlimited;
     std::swap(state_.rays, state_.next);
     state_.next.clear();
 }
@@ -76,6 +81,7 @@ void RayStream::intersect() {
             const PathRay& ray = state_.rays[i];
             RayQuery& query = queries[i - begin];
             query.ray = ray.ray;
+            query.t_max = state_.reach;
             query.mask = mask_of(ray);
             query.origin_leaf = ray.origin_leaf;
             query.origin_part = ray.origin_part;
@@ -183,7 +189,7 @@ void RayStream::shade_sky(std::span<const uint32_t> misses) {
         const SkyLight& seen = light.empty() ? program_.sky.plain(shows_alpha[i] != 0) : light[i];
         Rgb weight = ray.weight;
         float alpha = ray.alpha;
-        if (!program_.fog.empty()) pass_fog(ray, endless, weight, alpha);
+        if (!program_.fog.empty()) pass_fog(ray, std::min(endless, state_.reach), weight, alpha);
         LightSlot& slot = state_.slots[ray.slot];
         slot.rgb += weight * seen.rgb;
         slot.transmit += alpha * seen.transmit;

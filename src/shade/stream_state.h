@@ -90,6 +90,7 @@ struct StreamState {
     std::vector<LightSlot> slots;
     std::vector<PowerSlot> power_slots;
     InteriorPool interiors;
+    double reach = 0;                   ///< length of the current wave's rays
     std::vector<uint32_t> look_counts;  ///< all 0 between waves
     std::vector<uint32_t> blockers;     ///< per light sample, the leaf that blocked it last
     RayCounters counters;

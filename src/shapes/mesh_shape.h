@@ -53,6 +53,8 @@ public:
     std::optional<TriangleMesh> tessellate(double tolerance) const override;
     std::string describe() const override;
 
+    const MeshData& data() const { return data_; }
+
     /// Built by the first one who asks.
     const KdTree& tree() const {
         if (!has_tree_.load(std::memory_order_acquire)) build_tree();

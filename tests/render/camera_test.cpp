@@ -17,13 +17,13 @@ void expect_near(const Vec3& a, const Vec3& b) {
 
 Ray ray_at(const CameraRays& rays, double x, double y) {
     Ray ray;
-    EXPECT_TRUE(rays.at(x, y, ray));
+    EXPECT_TRUE(rays.at(x, y, 0, ray));
     return ray;
 }
 
 TEST(CameraRays, PerspectiveCorners) {
     Camera camera;
-    const CameraRays rays(camera, 4, 2);
+    const CameraRays rays(camera, {}, 4, 2);
     // Left edge of pixel 0 and top edge of row 0.
     expect_near(ray_at(rays, -0.5, -0.5).direction, glm::normalize(Vec3{-0.665, 0.5, 1}));
     expect_near(ray_at(rays, 3.5, 1.5).direction, glm::normalize(Vec3{0.665, -0.5, 1}));
@@ -56,7 +56,7 @@ TEST(CameraRays, OrthographicMovesTheOrigin) {
     camera.location = {0, 0, -5};
     camera.right = {2, 0, 0};
     camera.up = {0, 2, 0};
-    const CameraRays rays(camera, 4, 4);
+    const CameraRays rays(camera, {}, 4, 4);
     expect_near(ray_at(rays, 0, 0).origin, {-0.75, 0.75, -5});
     expect_near(ray_at(rays, 0, 0).direction, {0, 0, 1});
 }
@@ -66,9 +66,9 @@ TEST(CameraRays, FisheyeHasACircle) {
     camera.kind = CameraKind::fisheye;
     camera.right = {1, 0, 0};
     camera.angle_deg = 180;
-    const CameraRays rays(camera, 100, 100);
+    const CameraRays rays(camera, {}, 100, 100);
     Ray none;
-    EXPECT_FALSE(rays.at(0, 0, none));
+    EXPECT_FALSE(rays.at(0, 0, 0, none));
     expect_near(ray_at(rays, 49.5, 49.5).direction, {0, 0, 1});
     EXPECT_NEAR(ray_at(rays, 99.5 - 1e-9, 49.5).direction.z, 0.0, 1e-6);
 }
@@ -79,7 +79,7 @@ TEST(CameraRays, SphericalTurnsLeftHanded) {
     camera.right = {1, 0, 0};
     camera.angle_deg = 360;
     camera.vertical_angle_deg = 180;
-    const CameraRays rays(camera, 4, 2);
+    const CameraRays rays(camera, {}, 4, 2);
     // A quarter of the picture to the right of the centre looks along +x; the upper edge looks up.
     expect_near(ray_at(rays, 2.5, 0.5).direction, {1, 0, 0});
     expect_near(ray_at(rays, 1.5, -0.5).direction, {0, 1, 0});
