@@ -77,21 +77,14 @@ Bounds cut_box(const SolidForest& solids, const Leaf& leaf) {
     return solids.cut(leaf.solid, box);
 }
 
-/// The texture that cutaway_textures shows on a cut: the first one found among the looked-at children.
-std::optional<WornTexture> cutaway_texture(const Object& object, const Transform& world_from_object) {
-    if (object.texture) {
-        WornTexture worn = *object.texture;
-        if (!object.uv_mapping) worn.world_from_texture = then(worn.world_from_texture, world_from_object);
-        return worn;
-    }
-    const auto* csg = as<Csg>(object);
-    if (!csg) return std::nullopt;
-    const Transform inner = then(object.world_from_object, world_from_object);
-    for (const ObjectPtr& child : *csg->children) {
-        if (auto found = cutaway_texture(*child, inner)) return found;
-        if (csg->kind == CsgKind::difference) break;
-    }
-    return std::nullopt;
+/// What a cut shows where nothing that wears a texture contains it.
+TexturePtr black_texture() {
+    auto pigment = std::make_shared<Pigment>();
+    pigment->source = Color{};
+    Texture layer;
+    layer.pigment = std::move(pigment);
+    layer.finish = std::make_shared<Finish>();
+    return std::make_shared<TextureLayers>(TextureLayers{std::move(layer)});
 }
 
 }  // namespace
@@ -102,7 +95,7 @@ struct Flattener::Inherited {
     std::optional<WornTexture> texture;
     bool uv_mapping = false;
     std::optional<WornTexture> interior_texture;
-    std::optional<WornTexture> cutaway;
+    bool cutaway = false;  ///< leaves without texture show what contains them
     TexturePtr fallback_texture;
     uint32_t slot = no_surface;
     bool hollow = false;
@@ -122,6 +115,7 @@ struct Flattener::Draft {
     uint32_t shared_interior[2] = {no_surface, no_surface};  ///< of opaque things without interior; by hollow
     std::vector<uint32_t> top_ends;                          ///< behind the last leaf of each top object
     size_t top_objects = 0;
+    std::vector<uint32_t> cuts;  ///< leaves of the present solid that show what contains them
 };
 
 Flattener::Flattener(World& world, TexturePtr default_texture, Diagnostics& diagnostics)
@@ -190,6 +184,8 @@ void Flattener::add_solid(const Object& object, const Inherited& from) {
     const uint32_t node = build(object, from, false, no_node);
     if (node == no_node) return;
     flat_.solids.set_regions(node);
+    for (const uint32_t leaf : draft_->cuts) cut_away(leaf);
+    draft_->cuts.clear();
     flat_.tops.push_back({node, slot, {}});
     draft_->top_ends.push_back(static_cast<uint32_t>(flat_.leaves.size()));
 }
@@ -226,12 +222,7 @@ Flattener::Inherited Flattener::inherit(const Object& object, const Inherited& f
         own.no_radiosity = from.no_radiosity || object.no_radiosity;
     }
     own.double_illuminate = from.double_illuminate || object.double_illuminate;
-    if (const auto* csg = as<Csg>(object); csg && csg->cutaway_textures) {
-        for (const ObjectPtr& child : *csg->children) {
-            if (!own.cutaway) own.cutaway = cutaway_texture(*child, own.world_from_parent);
-            if (csg->kind == CsgKind::difference) break;
-        }
-    }
+    if (const auto* csg = as<Csg>(object)) own.cutaway = own.cutaway || csg->cutaway_textures;
     return own;
 }
 
@@ -257,6 +248,7 @@ uint32_t Flattener::build(const Object& object, const Inherited& from, bool inve
     SolidNode fresh;
     fresh.kind = node_kind(csg.kind, invert);
     fresh.parent = parent;
+    fresh.difference = csg.kind == CsgKind::difference && fresh.kind == SolidNode::Kind::intersection;
     fresh.tests_hits =
         fresh.kind != SolidNode::Kind::union_ || (parent != no_node && flat_.solids.nodes[parent].tests_hits);
     flat_.solids.nodes.push_back(std::move(fresh));
@@ -362,7 +354,34 @@ void Flattener::add_leaf(const Object& object, const Inherited& own, uint32_t no
     if (!own.no_reflection) leaf.mask |= seen_by_reflection;
     if (!own.no_radiosity) leaf.mask |= seen_by_gather;
     if (!own.no_shadow) leaf.mask |= opaque ? blocks_light : filters_light;
+    if (own.cutaway && !own.texture && textures.empty()) {
+        draft_->cuts.push_back(static_cast<uint32_t>(flat_.leaves.size()));
+    }
     flat_.leaves.push_back(std::move(leaf));
+}
+
+/// Finds what a leaf without texture may show, once its solid is complete.
+void Flattener::cut_away(uint32_t index) {
+    Leaf& leaf = flat_.leaves[index];
+    Cutaway cut;
+    cut.root = deciding_root(flat_.solids, leaf.solid);
+    cut.nothing = leaf.surface;
+    bool opaque = true;
+    const size_t first = draft_->top_ends.empty() ? 0 : draft_->top_ends.back();
+    for (size_t i = first; i < flat_.leaves.size(); ++i) {
+        const Leaf& other = flat_.leaves[i];
+        if (std::ranges::binary_search(draft_->cuts, i)) continue;
+        if (!is_looked_at(flat_.solids, other.solid, cut.root)) continue;
+        Surface shown = world_.surfaces[leaf.surface];
+        shown.texture = world_.surfaces[other.surface].texture;
+        shown.uv_mapping = world_.surfaces[other.surface].uv_mapping;
+        opaque = opaque && surface_table_.opaque(shown);
+        cut.worn.emplace_back(other.solid, surface_table_.add(std::move(shown)));
+    }
+    std::ranges::sort(cut.worn);
+    if (!opaque && (leaf.mask & blocks_light)) leaf.mask ^= blocks_light | filters_light;
+    leaf.cutaway = static_cast<uint32_t>(flat_.cutaways.size());
+    flat_.cutaways.push_back(std::move(cut));
 }
 
 Surface Flattener::surface_of(const Object& object, const Inherited& own) {
@@ -370,7 +389,8 @@ Surface Flattener::surface_of(const Object& object, const Inherited& own) {
     if (own.texture) {
         surface.texture = *own.texture;
     } else if (own.cutaway) {
-        surface.texture = *own.cutaway;
+        static const TexturePtr black = black_texture();
+        surface.texture.layers = black;
     } else {
         surface.texture.layers = own.fallback_texture;
     }

@@ -1,4 +1,5 @@
 #pragma once
+#include "compile/cutaway.h"
 #include "compile/solids.h"
 #include "compile/surfaces.h"
 
@@ -17,6 +18,7 @@ struct FlatGeometry {
     std::vector<Bounds> boxes;  ///< parallel to `leaves`: surfaces cut down to where hits can count
     SolidForest solids;
     std::vector<TopSolid> tops;
+    std::vector<Cutaway> cutaways;
 };
 
 /// Flattens objects into `world` (surfaces, interiors, lights) and the result. Leaves are ordered so that of
@@ -47,6 +49,7 @@ private:
     uint32_t build_shape(const Object& object, const ShapePtr& shape, const Inherited& own, bool invert,
                          uint32_t parent);
     void add_leaf(const Object& object, const Inherited& own, uint32_t node);
+    void cut_away(uint32_t leaf);
     void add_lists(const Object& object, const Inherited& from, uint32_t node);
     Inherited inherit(const Object& object, const Inherited& from);
     Surface surface_of(const Object& object, const Inherited& own);

@@ -273,7 +273,9 @@ Vec2 Geometry::uv(const Hit& hit) const {
 void Geometry::surfaces_at(const Hit& hit, std::vector<SurfaceWeight>& out) const {
     out.clear();
     const Leaf& l = leaf(hit.leaf);
-    if (l.first_texture_surface != no_surface) {
+    if (l.cutaway != no_surface) {
+        cut_surfaces_at(parts->flat.solids, parts->flat.cutaways[l.cutaway], hit.point, out);
+    } else if (l.first_texture_surface != no_surface) {
         thread_local std::vector<TextureWeight> textures;
         textures.clear();
         const Vec3 p = l.in_world_space ? hit.point : l.object_from_world.point(hit.point);

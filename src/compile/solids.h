@@ -16,6 +16,7 @@ struct SolidNode {
     Kind kind = Kind::shape;
     bool inverted = false;    ///< shapes only
     bool tests_hits = false;  ///< this node or one above it refuses some hits
+    bool difference = false;  ///< an intersection that was written as a difference
     uint32_t parent = no_node;
     uint32_t placed = 0;       ///< shapes only: index into SolidForest::shapes
     uint32_t lists = no_node;  ///< index into SolidForest::lists, for the few that have any
@@ -53,6 +54,12 @@ public:
     bool touches(uint32_t node, const Vec3& p, const Ray& ray) const;
     /// Does a hit at `p` on the surface of shape node `leaf` count, seen along `ray`?
     bool counts(uint32_t leaf, const Vec3& p, const Ray& ray) const;
+
+    /// The children of a compound whose textures cutaway_textures looks at: of a difference the first.
+    std::span<const uint32_t> looked_at(uint32_t node) const {
+        const auto all = children_of(nodes[node]);
+        return nodes[node].difference && !all.empty() ? all.first(1) : all;
+    }
 
     /// Computes `region` of the node and all below, its clips and bounds.
     void set_regions(uint32_t node);

@@ -43,6 +43,9 @@ struct Leaf {
     /// First of the surfaces of the shape's own textures in World::surfaces (in the order of
     /// Shape::textures()), or no_surface. See Geometry::surfaces_at().
     uint32_t first_texture_surface = no_surface;
+    uint32_t cutaway = no_surface;  ///< index into FlatGeometry::cutaways, or no_surface
+
+    bool has_one_surface() const { return first_texture_surface == no_surface && cutaway == no_surface; }
 };
 
 /// An interior together with its identity; `hollow` belongs to the object that carries it.

@@ -26,10 +26,6 @@ public:
             diagnostics_.unsupported(object->where, shape->keyword, "the object is left out");
         }
         if (const auto* csg = std::get_if<Csg>(&object->geometry); csg && csg->children) {
-            if (csg->cutaway_textures) {
-                diagnostics_.unsupported(object->where, "cutaway_textures",
-                                         "a cut shows the first texture found, not their mean");
-            }
             // Copies of a compound share their children.
             if (is_new(csg->children)) {
                 for (const ObjectPtr& child : *csg->children) this->object(child);

@@ -58,7 +58,7 @@ void ShadingProgram::add_surfaces() {
     }
     leaf_surfaces.reserve(geometry.leaves().size());
     for (const Leaf& leaf : geometry.leaves()) {
-        leaf_surfaces.push_back(leaf.first_texture_surface == no_surface ? leaf.surface : no_surface);
+        leaf_surfaces.push_back(leaf.has_one_surface() ? leaf.surface : no_surface);
     }
 }
 

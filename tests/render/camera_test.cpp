@@ -1,7 +1,9 @@
 #include "math/shuffle.h"
 #include "render/camera_rays.h"
 
+#include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -83,6 +85,40 @@ TEST(CameraRays, SphericalTurnsLeftHanded) {
     // A quarter of the picture to the right of the centre looks along +x; the upper edge looks up.
     expect_near(ray_at(rays, 2.5, 0.5).direction, {1, 0, 0});
     expect_near(ray_at(rays, 1.5, -0.5).direction, {0, 1, 0});
+}
+
+/// The pattern sees x of the place where the camera's normal is evaluated.
+class PushAlongX final : public Pattern {
+public:
+    std::string_view keyword() const override { return "push"; }
+    void evaluate(const PatternContext&, std::span<const Vec3>, std::span<double>) const override {}
+    bool perturb(const PatternContext&, float amount, std::span<const Vec3> points,
+                 std::span<Vec3> normals) const override {
+        for (size_t i = 0; i < points.size(); ++i) normals[i].y += static_cast<double>(amount) * points[i].x;
+        return true;
+    }
+};
+
+TEST(CameraRays, TheNormalTurnsDirections) {
+    auto normal = std::make_shared<Normal>();
+    normal->pattern = std::make_shared<PushAlongX>();
+    normal->amount = 1;
+    Camera camera;
+    camera.normal = normal;
+    const CameraRays flat(camera, {}, 4, 2);
+    expect_near(ray_at(flat, 1.5, 0.5).direction, {0, 0, 1});
+    const Vec3 straight = glm::normalize(Vec3{0.665, 0, 1});
+    expect_near(ray_at(flat, 3.5, 0.5).direction, glm::normalize(straight + Vec3{0, 0.5, 0}));
+
+    // The place of a fisheye is the angle about its axis: below the axis on the left it goes on growing.
+    camera.kind = CameraKind::fisheye;
+    camera.right = {1, 0, 0};
+    camera.angle_deg = 180;
+    const CameraRays round(camera, {}, 100, 100);
+    const Vec3 left_below = ray_at(round, 24.5, 74.5).direction;
+    camera.normal = nullptr;
+    const Vec3 before = ray_at(CameraRays(camera, {}, 100, 100), 24.5, 74.5).direction;
+    expect_near(left_below, glm::normalize(before + Vec3{0, 1.25 * pi, 0}));
 }
 
 // First entries as measured (geometry spec 19.1).
