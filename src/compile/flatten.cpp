@@ -1,6 +1,7 @@
 #include "compile/flatten.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rb {
 
@@ -85,6 +86,22 @@ TexturePtr black_texture() {
     layer.pigment = std::move(pigment);
     layer.finish = std::make_shared<Finish>();
     return std::make_shared<TextureLayers>(TextureLayers{std::move(layer)});
+}
+
+/// Shape nodes below `node` in the order in which the reference produces their hits: a compound that refuses
+/// hits turns the list of each child round (spec: geometry 5.3).
+void list_shapes(const SolidForest& solids, uint32_t node, bool turned, std::vector<uint32_t>& out) {
+    const SolidNode& n = solids.nodes[node];
+    if (n.kind == SolidNode::Kind::shape) {
+        out.push_back(node);
+        return;
+    }
+    const bool refuses =
+        n.kind != SolidNode::Kind::union_ || (n.lists != no_node && !solids.lists[n.lists].clips.empty());
+    for (uint32_t k = 0; k < n.child_count; ++k) {
+        const uint32_t at = n.first_child + (turned ? n.child_count - 1 - k : k);
+        list_shapes(solids, solids.children[at], turned != refuses, out);
+    }
 }
 
 }  // namespace
@@ -181,11 +198,14 @@ void Flattener::add_solid(const Object& object, const Inherited& from) {
     ++draft_->top_objects;
     const bool own_slot = object.interior || from.slot == no_surface;
     const uint32_t slot = own_slot ? static_cast<uint32_t>(draft_->slots.size()) : from.slot;
+    std::vector<uint32_t> outer_cuts = std::exchange(draft_->cuts, {});
     const uint32_t node = build(object, from, false, no_node);
+    if (node != no_node) {
+        flat_.solids.set_regions(node);
+        for (const uint32_t leaf : draft_->cuts) cut_away(leaf);
+    }
+    draft_->cuts = std::move(outer_cuts);
     if (node == no_node) return;
-    flat_.solids.set_regions(node);
-    for (const uint32_t leaf : draft_->cuts) cut_away(leaf);
-    draft_->cuts.clear();
     flat_.tops.push_back({node, slot, {}});
     draft_->top_ends.push_back(static_cast<uint32_t>(flat_.leaves.size()));
 }
@@ -441,6 +461,29 @@ void Flattener::put_first(const std::vector<bool>& marked) {
     flat_.boxes = std::move(ordered.boxes);
 }
 
+/// Orders the leaves of one solid so that of coincident surfaces the first is seen: the one whose hits the
+/// reference produces last.
+void Flattener::put_seen_first(uint32_t root, std::vector<Leaf>::iterator first,
+                               std::vector<Leaf>::iterator last) {
+    if (last - first < 2) return;
+    std::vector<uint32_t> shapes;
+    list_shapes(flat_.solids, root, false, shapes);
+    // What a light inside looks like stands between the solid's leaves.
+    if (shapes.size() != static_cast<size_t>(last - first)) {
+        std::reverse(first, last);
+        return;
+    }
+    std::ranges::reverse(shapes);
+    std::vector<Leaf> ordered;
+    ordered.reserve(shapes.size());
+    for (const uint32_t shape : shapes) {
+        const auto leaf =
+            std::lower_bound(first, last, shape, [](const Leaf& l, uint32_t node) { return l.solid < node; });
+        ordered.push_back(std::move(*leaf));
+    }
+    std::ranges::move(ordered, first);
+}
+
 FlatGeometry Flattener::finish() {
     // A plane wins against a coincident finite object once there are at least three objects.
     std::vector<bool> infinite(draft_->top_ends.size());
@@ -448,7 +491,7 @@ FlatGeometry Flattener::finish() {
     for (size_t i = 0; i < draft_->top_ends.size(); ++i) {
         const auto first = static_cast<std::ptrdiff_t>(flat_.boxes.size());
         const auto last = static_cast<std::ptrdiff_t>(draft_->top_ends[i]);
-        std::reverse(flat_.leaves.begin() + first, flat_.leaves.begin() + last);
+        put_seen_first(flat_.tops[i].node, flat_.leaves.begin() + first, flat_.leaves.begin() + last);
         for (auto leaf = flat_.leaves.begin() + first; leaf != flat_.leaves.begin() + last; ++leaf) {
             const Bounds box = cut_box(flat_.solids, *leaf);
             flat_.boxes.push_back(box);

@@ -53,6 +53,7 @@ private:
     void add_lists(const Object& object, const Inherited& from, uint32_t node);
     Inherited inherit(const Object& object, const Inherited& from);
     Surface surface_of(const Object& object, const Inherited& own);
+    void put_seen_first(uint32_t root, std::vector<Leaf>::iterator first, std::vector<Leaf>::iterator last);
     void put_first(const std::vector<bool>& marked);
     uint32_t interior_index(const Inherited& own, bool opaque);
 
