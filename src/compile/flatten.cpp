@@ -68,6 +68,16 @@ bool keeps_bounds(const Object& object) {
            keyword == "polynomial" || keyword == "text";
 }
 
+/// A union of nothing but lights and things without shadow has none either (spec: geometry 4.6).
+bool casts_no_shadow(const Object& object) {
+    if (object.no_shadow) return true;
+    const auto* csg = as<Csg>(object);
+    return csg && csg->kind == CsgKind::union_ && !csg->children->empty() &&
+           std::ranges::all_of(*csg->children, [](const ObjectPtr& child) {
+               return as<LightPtr>(*child) || casts_no_shadow(*child);
+           });
+}
+
 /// The leaf's surface in the world, cut down to where its hits can count.
 Bounds cut_box(const SolidForest& solids, const Leaf& leaf) {
     Bounds box = leaf.shape->bounds();
@@ -235,7 +245,7 @@ Flattener::Inherited Flattener::inherit(const Object& object, const Inherited& f
         draft_->slots.push_back({object.interior, false, no_surface});
     }
     own.hollow = object.hollow.value_or(from.hollow);
-    own.no_shadow = from.no_shadow || (from.top && object.no_shadow);
+    own.no_shadow = from.no_shadow || (from.top && casts_no_shadow(object));
     if (!from.flags_fixed) {
         own.no_image = from.no_image || (object.no_image && !from.image_fixed);
         own.no_reflection = from.no_reflection || object.no_reflection;
