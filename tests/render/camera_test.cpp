@@ -39,12 +39,12 @@ TEST(CameraRays, ManyAtOnceAreTheSameBitForBit) {
     for (int i = 0; i < 77; ++i) positions.emplace_back(0.37 * i, 5.0 - 0.11 * i);
     for (const CameraKind kind : {CameraKind::perspective, CameraKind::fisheye}) {
         camera.kind = kind;
-        const CameraRays rays(camera, 30, 20);
+        const CameraRays rays(camera, {}, 30, 20);
         std::vector<CameraRay> many(positions.size());
         rays.at(positions, many);
         for (size_t i = 0; i < positions.size(); ++i) {
             Ray one;
-            ASSERT_EQ(rays.at(positions[i].x, positions[i].y, one), many[i].exists);
+            ASSERT_EQ(rays.at(positions[i].x, positions[i].y, 0, one), many[i].exists);
             if (!many[i].exists) continue;
             EXPECT_EQ(one.origin, many[i].ray.origin);
             EXPECT_EQ(one.direction, many[i].ray.direction);
