@@ -1,9 +1,10 @@
 // The faces of two meshes one after the other, turned round by the direction.
+// options: +W64 +H48
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
-#declare Columns = 160;
-#declare Rows = 60;
+#declare Columns = 64;
+#declare Rows = 24;
 #declare Grid = mesh {
   #declare J = 0;
   #while (J < Rows)

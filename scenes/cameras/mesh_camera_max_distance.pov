@@ -1,9 +1,10 @@
 // Beyond the greatest distance nothing is seen, but in mirrors and through glass.
+// options: +W64 +H48
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
-#declare Columns = 160;
-#declare Rows = 120;
+#declare Columns = 64;
+#declare Rows = 48;
 #declare Grid = mesh {
   #declare J = 0;
   #while (J < Rows)

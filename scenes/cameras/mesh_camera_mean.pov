@@ -1,9 +1,10 @@
 // Three rays for each pixel, one from each mesh; the last mesh is smaller than the picture.
+// options: +W64 +H48
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
-#declare Columns = 160;
-#declare Rows = 90;
+#declare Columns = 64;
+#declare Rows = 36;
 #declare Grid = mesh {
   #declare J = 0;
   #while (J < Rows)

@@ -1,9 +1,10 @@
 // A mesh camera whose pixels look along the faces of one mesh.
+// options: +W64 +H48
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
-#declare Columns = 160;
-#declare Rows = 120;
+#declare Columns = 64;
+#declare Rows = 48;
 #declare Grid = mesh {
   #declare J = 0;
   #while (J < Rows)

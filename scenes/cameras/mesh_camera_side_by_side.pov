@@ -1,9 +1,10 @@
 // Three meshes share the width of the picture.
+// options: +W64 +H48
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
-#declare Columns = 60;
-#declare Rows = 120;
+#declare Columns = 21;
+#declare Rows = 48;
 #declare Grid = mesh {
   #declare J = 0;
   #while (J < Rows)

@@ -79,7 +79,31 @@ TEST_F(Inherit, ParentsTextureReachesTheCutOnly) {
 TEST_F(Inherit, CutawayTexturesShowTheCutObject) {
     auto object = csg(CsgKind::difference, {with_texture("box{-1,1}", red), object_from("box{-.5,<2,2,2>}")});
     std::get<Csg>(object->geometry).cutaway_textures = true;
-    EXPECT_EQ(texture(world({object}), {0, 0, 5}, {0, 0, -1}), red);
+    const auto seen = [](const World& w, const Vec3& origin, const Vec3& direction) {
+        RayQuery query;
+        query.ray = {origin, direction};
+        Hit hit;
+        EXPECT_TRUE(w.geometry->closest(query, hit));
+        std::vector<SurfaceWeight> shown;
+        w.geometry->surfaces_at(hit, shown);
+        std::vector<std::pair<TexturePtr, float>> out;
+        for (const auto& [surface, weight] : shown) {
+            out.emplace_back(w.surfaces[surface].texture.layers, weight);
+        }
+        return out;
+    };
+    using Shown = std::vector<std::pair<TexturePtr, float>>;
+    EXPECT_EQ(seen(world({object}), {0, 0, 5}, {0, 0, -1}), (Shown{{red, 1.0f}}));
+
+    // Of two that contain the cut each shows half.
+    auto both =
+        csg(CsgKind::difference,
+            {csg(CsgKind::union_, {with_texture("box{-1,1}", red), with_texture("box{-2,<.5,.5,1>}", green)}),
+             object_from("box{-.5,<2,2,2>}")});
+    std::get<Csg>(both->geometry).cutaway_textures = true;
+    const World w = world({both});
+    EXPECT_EQ(seen(w, {0.3, 0.3, 5}, {0, 0, -1}), (Shown{{red, 0.5f}, {green, 0.5f}}));
+    EXPECT_EQ(seen(w, {0.7, 0.3, 5}, {0, 0, -1}), (Shown{{red, 1.0f}}));
 }
 
 TEST_F(Inherit, FallbackTextureOfTheStatementWins) {
