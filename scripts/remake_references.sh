@@ -17,7 +17,7 @@ for scene in "${scenes[@]}"; do
     mkdir -p "$(dirname "$out")"
     # A scene may ask for more switches in a line "// options: ...".
     read -r -a options <<< "$(sed -n 's#^// options: ##p' "$scene")"
-    if ! "$povray" "+I$scene" "+O$out" "${size[@]}" "${fixed[@]}" "${options[@]}" > /tmp/remake.log 2>&1; then
+    if ! "$povray" "+I$scene" "+O$out" "+L$(dirname "$scene")" "${size[@]}" "${fixed[@]}" "${options[@]}" > /tmp/remake.log 2>&1; then
         echo "failed: $scene" >&2
         grep -A2 Error /tmp/remake.log >&2 || true
         exit 1
@@ -26,6 +26,6 @@ done
 {
     echo "# How these pictures were made; written by scripts/remake_references.sh."
     "$povray" --version 2>&1 | grep -m1 '^POV-Ray'
-    echo "povray +I<scene> +O<picture> ${size[*]} ${fixed[*]} <options of the scene>"
+    echo "povray +I<scene> +O<picture> +L<folder of the scene> ${size[*]} ${fixed[*]} <options of the scene>"
 } > reference_images/made_with.txt
 echo "${#scenes[@]} pictures"

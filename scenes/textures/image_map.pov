@@ -33,7 +33,7 @@ sphere { 0, 0.7
     pigment { image_map { png "swatch.png" map_type 1 interpolate 2 } }
     rotate y*40 translate <-2.4, 0.1, -1.6>
 }
-cylinder { <0, -0.6, 0>, <0, 0.8, 0>, 0.55
+cylinder { <0, -0.55, 0>, <0, 0.8, 0>, 0.55
     pigment { image_map { png "rings.png" map_type 2 transmit 1, 0.7 filter 2, 0.8 } }
     translate <-0.5, 0, -1.8>
 }

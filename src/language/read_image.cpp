@@ -61,7 +61,7 @@ ImagePtr take_file(BlockReader& in) {
     const ImageWord& kind = word ? *word : word_of_name(in, name, where);
     if (kind.type == ImageType::iff) in.fail_at(at, "IFF pictures are not read.");
     const auto path = find_file(session, name, kind.sought, where);
-    if (!path) throw missing_file(session, name, kind.sought, where, "Cannot find image file.");
+    if (!path) throw missing_file(session, name, kind.sought, where, "Cannot open image file.");
     if (!session.options.images) in.fail_at(where, "No picture files can be read here.");
     try {
         return session.options.images->read(*path, kind.type);
@@ -118,6 +118,7 @@ void fill_row(const Function& function, Image& image, int y) {
 ImagePtr take_function(BlockReader& in) {
     in.skip_item();
     auto image = std::make_shared<Image>();
+    image->type = ImageType::ppm;  // numbers that mean what they are
     image->width = image_side(in);
     image->height = image_side(in);
     const SourceRange at = in.where();

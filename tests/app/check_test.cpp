@@ -24,7 +24,7 @@ protected:
         fs::create_directories(folder_ / "lib/Pics");
         fs::current_path(folder_);
         write("lib/Shades.INC", "#declare Shade = 0.5;\n");
-        write("lib/Pics/Wood.PNG", "");
+        fs::copy_file(fs::path(RB_SOURCE_DIR) / "scenes/textures/swatch.png", "lib/Pics/Wood.PNG");
         write("empty.ini", "");
         setenv("POVINI", "empty.ini", 1);
     }
@@ -71,9 +71,8 @@ TEST_F(Check, NothingMissing) {
 
 TEST_F(Check, ListsWhatIsMissing) {
     const Outcome done = check(
-        "sphere { 0, 1 interior { media { emission 1 } } hollow }\nrainbow { direction z angle 30 }\nrainbow "
-        "{ angle 31 "
-        "}");
+        "sphere { 0, 1 interior { media { emission 1 } } hollow }\nrainbow { direction z angle 30 }\n"
+        "rainbow { direction z angle 31 }");
     EXPECT_EQ(done.code, 1);
     EXPECT_TRUE(has(done.out, "scene.pov:3:1: rainbow: it is left out (2 places)\n")) << done.out;
     EXPECT_TRUE(has(done.out, "scene.pov:2:15: media: the interior is clear\n")) << done.out;
