@@ -25,11 +25,24 @@ struct Form {
     Form negated() const { return {{-q[0], -q[1], -q[2]}, -g, -j}; }
 };
 
+/// Of the quadratic part; absent where an eigenvalue is 0 up to rounding, as that of a turned paraboloid is.
+std::optional<Affine> inverse_of_squares(const Form& f) {
+    const auto& q = f.q;
+    const Vec3 minors = glm::cross(q[1], q[2]);
+    const double determinant = glm::dot(q[0], minors);
+    const double pairs = minors.x + (q[0].x * q[2].z - q[0].z * q[2].x) + (q[0].x * q[1].y - q[0].y * q[1].x);
+    const double largest =
+        std::max({largest_magnitude(q[0]), largest_magnitude(q[1]), largest_magnitude(q[2])});
+    // Where two eigenvalues are larger than the third, this compares the third with the rounding errors.
+    constexpr double rounding = 1e-13;
+    if (!(std::abs(determinant) > rounding * largest * std::abs(pairs))) return std::nullopt;
+    return inverse_of({{q[0], q[1], q[2], Vec3{0.0}}});
+}
+
 /// A positive definite form below zero somewhere: an ellipsoid, as an image of the unit sphere.
 std::optional<Affine> ellipsoid_of(const Form& f) {
-    const Affine rows{{f.q[0], f.q[1], f.q[2], Vec3{0.0}}};
     if (!(f.q[0].x > 0.0) || !(f.q[0].x * f.q[1].y - f.q[0].y * f.q[1].x > 0.0)) return std::nullopt;
-    const auto inverse = inverse_of(rows);
+    const auto inverse = inverse_of_squares(f);
     if (!inverse || !(glm::dot(f.q[0], glm::cross(f.q[1], f.q[2])) > 0.0)) return std::nullopt;
     const Vec3 center = -0.5 * inverse->direction(f.g);
     const double depth = -f.at(center);
@@ -91,7 +104,7 @@ public:
     /// `turned`: normals are minus the gradient. The language's inverted quadric keeps its normals.
     explicit Quadric(const Form& form, bool turned = false)
         : form_(form), turned_(turned), box_(surface_box(form)) {
-        const auto inverse = inverse_of({{form.q[0], form.q[1], form.q[2], Vec3{0.0}}});
+        const auto inverse = inverse_of_squares(form);
         if (inverse) center_ = -0.5 * inverse->direction(form.g);
     }
 

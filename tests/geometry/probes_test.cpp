@@ -89,6 +89,18 @@ TEST(Probes, P37QuadricBoxes) {
     expect_near(o.extent().hi, {1, 2, 1}, "max");
 }
 
+TEST(Probes, TurnedQuadricsWithoutACentre) {
+    Probe paraboloid("quadric{<1,0,1>,<0,0,0>,<0,-1,0>,0 scale 8 rotate <-40,0,0>}");
+    paraboloid.hits({1, 2, -50}, z, {1, 2, -13.3456551}, {.1015953, -.8949816, -.4343804});
+    paraboloid.misses({3, -50, 4}, y);
+    paraboloid.misses({-60, 3, 2}, x);
+    Probe planes("quadric{<1,0,0>,<0,0,0>,<0,0,0>,-1 rotate <10,20,30>}");
+    planes.hits({1, 2, -50}, z, {1, 2, 2.2030583}, {.8137977, .4698463, -.3420201});
+    Probe cylinder("quadric{<1,1,0>,<0,0,0>,<0,0,0>,-1 rotate <10,20,30>}");
+    cylinder.hits({.3, .4, -50}, glm::normalize(Vec3{.01, .01, 1}), {.8076617, .9076617, .7661699},
+                  {.4173644, .8890726, -.1880345});
+}
+
 TEST(Probes, P67InvertedQuadricKeepsItsNormal) {
     Probe o("quadric{<1,1,1>,<0,0,0>,<0,0,0>,-1 inverse}");
     o.hits({.3, .4, -5}, z, {.3, .4, -.8660254}, {.3, .4, -.8660254});
