@@ -2,6 +2,8 @@
 #include "scene/color.h"
 #include "scene/image.h"
 
+#include <algorithm>
+
 namespace rb {
 
 /// The pixels of a picture as colours (spec: textures 6.4). Decoded one by one through tables, so that a
@@ -40,8 +42,9 @@ public:
 
 private:
     float decoded(size_t sample) const {
-        return image_->floats.empty() ? table_[image_->samples[sample]]
-                                      : decoded_float(image_->floats[sample]);
+        if (!image_->floats.empty()) return decoded_float(image_->floats[sample]);
+        // A damaged file may hold more than its white.
+        return table_[std::min<uint32_t>(image_->samples[sample], image_->white)];
     }
     float decoded_float(float value) const;
     void fill_table();

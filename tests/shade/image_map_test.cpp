@@ -180,6 +180,12 @@ TEST(Texels, FollowTheGammaOfTheirFile) {
     EXPECT_NEAR(decoded(image_of(ImageType::png, 1, {24}), GammaCurve{1.0}).red, 0.09020, 6e-6);
 }
 
+TEST(Texels, SamplesBeyondWhiteAreWhite) {
+    Image image = image_of(ImageType::ppm, 3, {15, 16, 65535});
+    image.white = 15;
+    expect_rgb(decoded(image), 1, 1, 1);
+}
+
 TEST(Texels, AlphaLetsLightThrough) {
     const Image image = image_of(ImageType::png, 4, {255, 255, 255, 20});
     EXPECT_NEAR(decoded(image).transmit, 0.92157, 6e-6);
