@@ -81,7 +81,10 @@ private:
         return it->second;
     }
 
-    std::vector<uint32_t> chain(double y, double left, double right) {
+    /// The points from one edge to another at a level.
+    std::vector<uint32_t> chain(double y, const Edge& a, const Edge& b) {
+        // Where they cross, rounding may have them change sides.
+        const auto [left, right] = std::minmax({single(a.at(y)), single(b.at(y))});
         std::vector<uint32_t> out;
         const auto& row = rows_[y];
         for (auto p = row.lower_bound(left); p != row.end() && p->first <= right; ++p)
@@ -99,14 +102,11 @@ private:
         }
         std::ranges::sort(met, {}, [&](const Edge* e) { return e->at(middle); });
         for (size_t i = 0; i + 1 < met.size(); i += 2) {
-            const auto low = chain(y0, single(met[i]->at(y0)), single(met[i + 1]->at(y0)));
-            const auto high = chain(y1, single(met[i]->at(y1)), single(met[i + 1]->at(y1)));
-            join(low, high);
+            join(chain(y0, *met[i], *met[i + 1]), chain(y1, *met[i], *met[i + 1]));
         }
     }
 
     void join(const std::vector<uint32_t>& low, const std::vector<uint32_t>& high) {
-        if (low.empty() || high.empty()) return;
         size_t i = 0;
         size_t k = 0;
         const auto share = [](size_t at, size_t size) {
