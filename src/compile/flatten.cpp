@@ -1,5 +1,7 @@
 #include "compile/flatten.h"
 
+#include "compile/leaf_order.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -86,32 +88,6 @@ Bounds cut_box(const SolidForest& solids, const Leaf& leaf) {
         box = forward ? transformed(box, *forward) : Bounds::everything();
     }
     return solids.cut(leaf.solid, box);
-}
-
-/// What a cut shows where nothing that wears a texture contains it.
-TexturePtr black_texture() {
-    auto pigment = std::make_shared<Pigment>();
-    pigment->source = Color{};
-    Texture layer;
-    layer.pigment = std::move(pigment);
-    layer.finish = std::make_shared<Finish>();
-    return std::make_shared<TextureLayers>(TextureLayers{std::move(layer)});
-}
-
-/// Shape nodes below `node` in the order in which the reference produces their hits: a compound that refuses
-/// hits turns the list of each child round (spec: geometry 5.3).
-void list_shapes(const SolidForest& solids, uint32_t node, bool turned, std::vector<uint32_t>& out) {
-    const SolidNode& n = solids.nodes[node];
-    if (n.kind == SolidNode::Kind::shape) {
-        out.push_back(node);
-        return;
-    }
-    const bool refuses =
-        n.kind != SolidNode::Kind::union_ || (n.lists != no_node && !solids.lists[n.lists].clips.empty());
-    for (uint32_t k = 0; k < n.child_count; ++k) {
-        const uint32_t at = n.first_child + (turned ? n.child_count - 1 - k : k);
-        list_shapes(solids, solids.children[at], turned != refuses, out);
-    }
 }
 
 }  // namespace
@@ -419,7 +395,8 @@ Surface Flattener::surface_of(const Object& object, const Inherited& own) {
     if (own.texture) {
         surface.texture = *own.texture;
     } else if (own.cutaway) {
-        static const TexturePtr black = black_texture();
+        // Where nothing that wears a texture contains the cut.
+        static const TexturePtr black = plain_texture();
         surface.texture.layers = black;
     } else {
         surface.texture.layers = own.fallback_texture;
@@ -451,49 +428,6 @@ uint32_t Flattener::interior_index(const Inherited& own, bool opaque) {
     return slot.index;
 }
 
-/// Moves the leaves of the marked top objects before all others.
-void Flattener::put_first(const std::vector<bool>& marked) {
-    if (std::find(marked.begin(), marked.end(), true) == marked.end()) return;
-    FlatGeometry ordered;
-    ordered.leaves.reserve(flat_.leaves.size());
-    ordered.boxes.reserve(flat_.boxes.size());
-    for (const bool now : {true, false}) {
-        size_t k = 0;
-        for (size_t i = 0; i < marked.size(); ++i) {
-            for (; k < draft_->top_ends[i]; ++k) {
-                if (marked[i] != now) continue;
-                ordered.leaves.push_back(std::move(flat_.leaves[k]));
-                ordered.boxes.push_back(flat_.boxes[k]);
-            }
-        }
-    }
-    flat_.leaves = std::move(ordered.leaves);
-    flat_.boxes = std::move(ordered.boxes);
-}
-
-/// Orders the leaves of one solid so that of coincident surfaces the first is seen: the one whose hits the
-/// reference produces last.
-void Flattener::put_seen_first(uint32_t root, std::vector<Leaf>::iterator first,
-                               std::vector<Leaf>::iterator last) {
-    if (last - first < 2) return;
-    std::vector<uint32_t> shapes;
-    list_shapes(flat_.solids, root, false, shapes);
-    // What a light inside looks like stands between the solid's leaves.
-    if (shapes.size() != static_cast<size_t>(last - first)) {
-        std::reverse(first, last);
-        return;
-    }
-    std::ranges::reverse(shapes);
-    std::vector<Leaf> ordered;
-    ordered.reserve(shapes.size());
-    for (const uint32_t shape : shapes) {
-        const auto leaf =
-            std::lower_bound(first, last, shape, [](const Leaf& l, uint32_t node) { return l.solid < node; });
-        ordered.push_back(std::move(*leaf));
-    }
-    std::ranges::move(ordered, first);
-}
-
 FlatGeometry Flattener::finish() {
     // A plane wins against a coincident finite object once there are at least three objects.
     std::vector<bool> infinite(draft_->top_ends.size());
@@ -501,7 +435,9 @@ FlatGeometry Flattener::finish() {
     for (size_t i = 0; i < draft_->top_ends.size(); ++i) {
         const auto first = static_cast<std::ptrdiff_t>(flat_.boxes.size());
         const auto last = static_cast<std::ptrdiff_t>(draft_->top_ends[i]);
-        put_seen_first(flat_.tops[i].node, flat_.leaves.begin() + first, flat_.leaves.begin() + last);
+        put_seen_first(
+            flat_.solids, flat_.tops[i].node,
+            std::span(flat_.leaves).subspan(static_cast<size_t>(first), static_cast<size_t>(last - first)));
         for (auto leaf = flat_.leaves.begin() + first; leaf != flat_.leaves.begin() + last; ++leaf) {
             const Bounds box = cut_box(flat_.solids, *leaf);
             flat_.boxes.push_back(box);
@@ -509,7 +445,7 @@ FlatGeometry Flattener::finish() {
             if (!box.is_empty() && !box.is_finite()) infinite[i] = true;
         }
     }
-    if (draft_->top_objects >= 3) put_first(infinite);
+    if (draft_->top_objects >= 3) put_first(infinite, draft_->top_ends, flat_.leaves, flat_.boxes);
     for (TopSolid& top : flat_.tops) {
         const InteriorSlot& slot = draft_->slots[top.interior];
         if (slot.index != no_surface) {

@@ -23,7 +23,7 @@ struct FlatGeometry {
 
 /// Flattens objects into `world` (surfaces, interiors, lights) and the result. Leaves are ordered so that of
 /// coincident surfaces the one with the lower index is seen (spec: geometry 4.1): infinite objects first,
-/// then in declaration order; within one object the later child first.
+/// then in declaration order; within one object as put_seen_first() says.
 class Flattener {
 public:
     Flattener(World& world, TexturePtr default_texture, Diagnostics& diagnostics);
@@ -53,8 +53,6 @@ private:
     void add_lists(const Object& object, const Inherited& from, uint32_t node);
     Inherited inherit(const Object& object, const Inherited& from);
     Surface surface_of(const Object& object, const Inherited& own);
-    void put_seen_first(uint32_t root, std::vector<Leaf>::iterator first, std::vector<Leaf>::iterator last);
-    void put_first(const std::vector<bool>& marked);
     uint32_t interior_index(const Inherited& own, bool opaque);
 
     World& world_;

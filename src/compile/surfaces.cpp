@@ -10,7 +10,9 @@ bool clear_somewhere(const Color& color) { return color.filter != 0.0f || color.
 
 bool opaque_pigment(const Pigment& pigment) {
     if (const auto* color = std::get_if<Color>(&pigment.source)) return !clear_somewhere(*color);
-    if (std::holds_alternative<std::monostate>(pigment.source)) return true;
+    const auto* pattern = std::get_if<PatternPtr>(&pigment.source);
+    if (pattern && (*pattern)->has_colors()) return !(*pattern)->passes_light();
+    if (!pattern && !pigment.average) return true;
     if (const auto* colors = std::get_if<ColorMap>(&pigment.map)) {
         for (const auto& entry : *colors) {
             if (clear_somewhere(entry.value)) return false;
@@ -23,7 +25,7 @@ bool opaque_pigment(const Pigment& pigment) {
         }
         return true;
     }
-    // An image or a pattern's own default map: asking its colour is always right.
+    // A pattern's own default map: asking its colour is always right.
     return false;
 }
 

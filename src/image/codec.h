@@ -18,12 +18,15 @@ struct Samples {
 };
 
 /// File values to stored integers: floor(clamp(v) * (2^bits - 1) + 0.5), or dithered, and spread over the
-/// stored range where that has more bits (textures spec 10.2). NaN becomes 0.
+/// stored range where that has more bits (textures spec 10.2; netpbm says in its header how far it goes). NaN
+/// becomes 0.
 class Quantiser {
 public:
     Quantiser(const OutputFormat& format, int width, int channels);
     /// 16 stored bits instead of 8.
     bool is_wide() const { return wide_; }
+    /// What full light becomes.
+    int greatest() const { return spread(static_cast<int>(levels_)); }
     /// The next row, top to bottom. `to` has the type that is_wide() tells.
     template <typename T>
     void row(std::span<const float> from, std::span<T> to) {
@@ -64,7 +67,11 @@ Samples samples_of(const PixelRows& rows, const OutputFormat& format);
 /// "Image files".
 void write_png(const PixelRows& rows, const OutputFormat& format, const std::string& path);
 
-/// Every format through OpenImageIO, which lives in a module of its own that is loaded at the first call.
+/// PPM, or PGM for one channel, of any number of bits: OpenImageIO 2.4 writes no more than 8.
+void write_netpbm(const PixelRows& rows, const OutputFormat& format, const std::string& path);
+
+/// Every other format through OpenImageIO, which lives in a module of its own that is loaded at the first
+/// call.
 void write_with_oiio(const Samples& samples, const OutputFormat& format, const std::string& path);
 Pixels read_with_oiio(const std::string& path);
 /// JPEG, TIFF (as 8 bits a channel, like the reference), OpenEXR, HDR as the file holds them.

@@ -88,7 +88,7 @@ Quantiser::Quantiser(const OutputFormat& format, int width, int channels)
             (format.type == FileType::png || format.type == FileType::ppm || format.type == FileType::tiff)) {
     const int bits = wide_ ? format.bits : std::min(format.bits, 8);
     levels_ = static_cast<float>((1 << bits) - 1);
-    spread_ = (wide_ ? 65535.0f : 255.0f) / levels_;
+    spread_ = format.type == FileType::ppm ? 1.0f : (wide_ ? 65535.0f : 255.0f) / levels_;
     if (format.dither.method != DitherMethod::none) dither_.emplace(format.dither, width, channels);
 }
 
@@ -136,6 +136,8 @@ void write_image(const PixelRows& rows, const OutputFormat& format, const std::s
     TemporaryFile temporary(fmt::format("{}.{}.part", base, getpid()));
     if (format.type == FileType::png) {
         write_png(rows, format, temporary.path());
+    } else if (format.type == FileType::ppm) {
+        write_netpbm(rows, format, temporary.path());
     } else {
         write_with_oiio(samples_of(rows, format), format, temporary.path());
     }

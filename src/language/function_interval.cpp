@@ -45,7 +45,26 @@ Interval compare(Op op, const Interval& a, const Interval& b) {
 /// Whether it counts as true; nan does.
 Interval is_set(const Interval& v) { return truth(!v.holds(0), v.is_point() && v.lo == 0); }
 
-Interval operate(Op op, const Interval& a, const Interval& b) {
+/// What has no slope of its own may jump.
+Interval jumping(const Interval&, const Interval& value) { return value; }
+IntervalSlope jumping(const IntervalSlope&, const Interval& value) { return IntervalSlope::jumping(value); }
+
+const Interval& value_of(const Interval& v) { return v; }
+const Interval& value_of(const IntervalSlope& v) { return v.value; }
+
+Interval decide(Op op, const Interval& a, const Interval& b) {
+    switch (op) {
+        case Op::both:
+            return {std::min(is_set(a).lo, is_set(b).lo), std::min(is_set(a).hi, is_set(b).hi)};
+        case Op::either:
+            return {std::max(is_set(a).lo, is_set(b).lo), std::max(is_set(a).hi, is_set(b).hi)};
+        default:
+            return compare(op, a, b);
+    }
+}
+
+template <class T>
+T operate(Op op, const T& a, const T& b) {
     switch (op) {
         case Op::add:
             return a + b;
@@ -55,12 +74,8 @@ Interval operate(Op op, const Interval& a, const Interval& b) {
             return a * b;
         case Op::divide:
             return a / b;
-        case Op::both:
-            return {std::min(is_set(a).lo, is_set(b).lo), std::min(is_set(a).hi, is_set(b).hi)};
-        case Op::either:
-            return {std::max(is_set(a).lo, is_set(b).lo), std::max(is_set(a).hi, is_set(b).hi)};
         default:
-            return compare(op, a, b);
+            return jumping(a, decide(op, value_of(a), value_of(b)));
     }
 }
 
@@ -72,36 +87,20 @@ Interval whole(const Interval& v) {
     return fits ? inside : hull(inside, -limit);
 }
 
-Interval call(Keyword word, const Interval& a) {
+Interval call_without_slope(Keyword word, const Interval& a) {
     switch (word) {
-        case Keyword::abs:
-            return abs(a);
         case Keyword::ceil:
             return ceil(a);
         case Keyword::floor:
             return floor(a);
         case Keyword::int_:
             return whole(a);
-        case Keyword::exp:
-            return exp(a);
-        case Keyword::ln:
-            return log(a);
         case Keyword::log:
             return log10(a);
-        case Keyword::sqrt:
-            return sqrt(a);
-        case Keyword::sin:
-            return sin(a);
-        case Keyword::cos:
-            return cos(a);
-        case Keyword::tan:
-            return tan(a);
         case Keyword::asin:
             return asin(a);
         case Keyword::acos:
             return acos(a);
-        case Keyword::atan:
-            return atan(a);
         case Keyword::sinh:
             return sinh(a);
         case Keyword::cosh:
@@ -114,16 +113,41 @@ Interval call(Keyword word, const Interval& a) {
             return acosh(a);
         case Keyword::atanh:
             return atanh(a);
-        case Keyword::degrees:
-            return a * 180 / 3.14159265358979323846;
-        case Keyword::radians:
-            return a * 3.14159265358979323846 / 180;
         default:
             return Interval::everything();
     }
 }
 
-Interval call(Keyword word, const Interval& a, const Interval& b) {
+template <class T>
+T call(Keyword word, const T& a) {
+    switch (word) {
+        case Keyword::abs:
+            return abs(a);
+        case Keyword::exp:
+            return exp(a);
+        case Keyword::ln:
+            return log(a);
+        case Keyword::sqrt:
+            return sqrt(a);
+        case Keyword::sin:
+            return sin(a);
+        case Keyword::cos:
+            return cos(a);
+        case Keyword::tan:
+            return tan(a);
+        case Keyword::atan:
+            return atan(a);
+        case Keyword::degrees:
+            return a * 180 / 3.14159265358979323846;
+        case Keyword::radians:
+            return a * 3.14159265358979323846 / 180;
+        default:
+            return jumping(a, call_without_slope(word, value_of(a)));
+    }
+}
+
+template <class T>
+T call(Keyword word, const T& a, const T& b) {
     switch (word) {
         case Keyword::atan2:
             return atan2(a, b);
@@ -132,9 +156,9 @@ Interval call(Keyword word, const Interval& a, const Interval& b) {
         case Keyword::pow:
             return pow(a, b);
         case Keyword::div:
-            return whole(a / b);
+            return jumping(a, whole(value_of(a) / value_of(b)));
         default:
-            return Interval::everything();
+            return jumping(a, Interval::everything());
     }
 }
 
@@ -153,63 +177,6 @@ Interval choose(std::span<const Interval> a) {
     add(zero, a[2]);
     add(positive, a.size() == 3 ? a[2] : a[3]);
     return out;
-}
-
-// The same with slopes.
-
-IntervalSlope operate(Op op, const IntervalSlope& a, const IntervalSlope& b) {
-    switch (op) {
-        case Op::add:
-            return a + b;
-        case Op::subtract:
-            return a - b;
-        case Op::multiply:
-            return a * b;
-        case Op::divide:
-            return a / b;
-        default:
-            return IntervalSlope::jumping(operate(op, a.value, b.value));
-    }
-}
-
-IntervalSlope call(Keyword word, const IntervalSlope& a) {
-    switch (word) {
-        case Keyword::abs:
-            return abs(a);
-        case Keyword::exp:
-            return exp(a);
-        case Keyword::ln:
-            return log(a);
-        case Keyword::sqrt:
-            return sqrt(a);
-        case Keyword::sin:
-            return sin(a);
-        case Keyword::cos:
-            return cos(a);
-        case Keyword::tan:
-            return tan(a);
-        case Keyword::atan:
-            return atan(a);
-        case Keyword::degrees:
-            return a * 180 / 3.14159265358979323846;
-        case Keyword::radians:
-            return a * 3.14159265358979323846 / 180;
-        default:
-            return IntervalSlope::jumping(call(word, a.value));
-    }
-}
-
-IntervalSlope call(Keyword word, const IntervalSlope& a, const IntervalSlope& b) {
-    switch (word) {
-        case Keyword::atan2:
-            return atan2(a, b);
-        case Keyword::mod:
-            return fmod(a, b);
-        case Keyword::pow:
-            return pow(a, b);
-        default:
-            return IntervalSlope::jumping(call(word, a.value, b.value));
-    }
 }
 
 IntervalSlope choose(std::span<const IntervalSlope> a) {
@@ -243,9 +210,6 @@ T call_function(const Function& f, std::span<const T> a, uint8_t component) {
     if (component != 254) return bound_of(f, a, component == 255 ? 0 : component);
     return 0.297 * bound_of(f, a, 0) + 0.589 * bound_of(f, a, 1) + 0.114 * bound_of(f, a, 2);
 }
-
-const Interval& value_of(const Interval& v) { return v; }
-const Interval& value_of(const IntervalSlope& v) { return v.value; }
 
 Interval run(const FunctionCode& code, std::span<Interval> variable) { return code.bound(variable); }
 IntervalSlope run(const FunctionCode& code, std::span<IntervalSlope> variable) {

@@ -108,7 +108,7 @@ private:
 FunctionPtr pattern_function(const Block& block, const ReadContext& context) {
     BlockReader in(block, context);
     PatternModifiers modifiers;
-    const TakenPattern taken = take_pattern(in, modifiers);
+    const TakenPattern taken = take_pattern(in, "pattern", modifiers);
     if (!taken.taken || taken.average)
         in.fail(fmt::format("Expected 'pattern', {} found instead", in.found()));
     PatternPtr pattern = taken.pattern;

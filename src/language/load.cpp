@@ -84,7 +84,7 @@ void open_input(Session& session) {
 }
 
 void start(Session& session) {
-    session.default_texture = initial_texture();
+    session.default_texture = plain_texture();
     if (session.options.version) {
         session.language_version = static_cast<int>(100 * *session.options.version + 0.5);
         session.version_seen = true;

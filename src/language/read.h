@@ -71,6 +71,4 @@ void read_default(Session& session, const Block& block);
 /// Puts a top-level statement into the scene.
 void read_statement(Session& session, const Block& block);
 
-TexturePtr initial_texture();
-
 }  // namespace rb

@@ -171,7 +171,7 @@ ParsedOnlyPtr read_density(const Block& block, const ReadContext& context) {
     if (in.at_color()) {
         in.full_color();
     } else {
-        pattern = take_pattern(in, modifiers).pattern;
+        pattern = take_pattern(in, "density", modifiers).pattern;
         while (in.at_block("density")) read_density(in.block("density"), context);
         while (in.at_color()) in.full_color();
     }

@@ -69,10 +69,8 @@ NormalMapPtr read_normal_map(const Block& block, const ReadContext& context, boo
 void read_normal_body(BlockReader& in, Normal& normal) {
     if (in.at_thing<NormalPtr>()) normal = *in.thing<NormalPtr>();
     if (in.take_word("uv_mapping")) normal.uv_mapping = true;
-    const TakenPattern taken = take_pattern(in, normal.modifiers);
+    const TakenPattern taken = take_pattern(in, "normal", normal.modifiers);
     if (taken.taken) {
-        if (taken.pattern && taken.pattern->has_colors())
-            in.fail("Keyword 'image_map' can only be used in a pigment statement.");
         normal.average = taken.average;
         normal.pattern = taken.pattern;
         if (taken.kind && taken.kind->list_size > 0) {

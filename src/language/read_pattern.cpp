@@ -229,7 +229,7 @@ bool at_pattern(const BlockReader& in) {
     return !word.empty() && (is_pattern_word(word) || word == "function");
 }
 
-TakenPattern take_pattern(BlockReader& in, PatternModifiers& modifiers) {
+TakenPattern take_pattern(BlockReader& in, std::string_view statement, PatternModifiers& modifiers) {
     TakenPattern out;
     if (!at_pattern(in)) return out;
     out.taken = true;
@@ -250,6 +250,9 @@ TakenPattern take_pattern(BlockReader& in, PatternModifiers& modifiers) {
     const std::string word(in.peek_word());
     out.kind = find_pattern(word);
     if (out.kind) {
+        const std::string_view only_in = out.kind->only_in;
+        if (!only_in.empty() && statement != only_in)
+            in.fail(fmt::format("Keyword '{}' can only be used in a {} statement.", word, only_in));
         if (in.at_word()) in.skip_item();
         out.pattern = out.kind->read(in);
         if (out.kind->default_wave != Wave::ramp) modifiers.wave = out.kind->default_wave;

@@ -33,8 +33,9 @@ struct TakenPattern {
     std::shared_ptr<const Block> list;  ///< of `object { OBJECT list }`: the list alone
 };
 
-/// Takes a pattern's keyword and what belongs to it, and sets its default wave and frequency.
-TakenPattern take_pattern(BlockReader& in, PatternModifiers& modifiers);
+/// Takes a pattern's keyword and what belongs to it, and sets its default wave and frequency. `statement` is
+/// what the pattern is for: "pigment", "normal", "texture", ...
+TakenPattern take_pattern(BlockReader& in, std::string_view statement, PatternModifiers& modifiers);
 /// A pattern keyword, registered or not.
 bool at_pattern(const BlockReader& in);
 

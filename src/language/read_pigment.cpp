@@ -69,7 +69,7 @@ bool takes_color_map(const Pigment& pigment) {
     const auto* pattern = std::get_if<PatternPtr>(&pigment.source);
     if (!pattern || !*pattern) return false;
     const PatternKind* kind = find_pattern((*pattern)->keyword());
-    return !(kind && kind->list_size > 0) && (*pattern)->keyword() != "image_map";
+    return !(kind && kind->list_size > 0) && !(*pattern)->has_colors();
 }
 
 bool take_map(BlockReader& in, Pigment& pigment) {
@@ -96,12 +96,8 @@ void read_kind(BlockReader& in, Pigment& pigment) {
         pigment.modifiers.warps.clear();
         return;
     }
-    const TakenPattern taken = take_pattern(in, pigment.modifiers);
+    const TakenPattern taken = take_pattern(in, "pigment", pigment.modifiers);
     if (!taken.taken) return;
-    for (const std::string_view word : {"facets", "bump_map"}) {
-        if (taken.pattern && taken.pattern->keyword() == word)
-            in.fail(fmt::format("Keyword '{}' can only be used in a normal statement.", word));
-    }
     pigment.average = taken.average;
     pigment.source = std::monostate{};
     if (taken.pattern) pigment.source = taken.pattern;

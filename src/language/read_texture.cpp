@@ -75,7 +75,7 @@ void read_patterned(BlockReader& in, TextureLayers& layers) {
     if (in.at_block("tiles")) {
         read_tiles(in.block("tiles"), in.context(), texture);
     } else {
-        const TakenPattern taken = take_pattern(in, texture.modifiers);
+        const TakenPattern taken = take_pattern(in, "texture", texture.modifiers);
         texture.pattern = taken.pattern;
         texture.average = taken.average;
         if (taken.kind && taken.kind->list_size > 0) read_list(in, taken.kind->list_size, texture);
@@ -229,13 +229,6 @@ bool take_texture(BlockReader& in, TexturePtr& layers) {
         return false;
     }
     return true;
-}
-
-TexturePtr initial_texture() {
-    auto layers = std::make_shared<TextureLayers>(1);
-    layers->front().pigment = std::make_shared<const Pigment>();
-    layers->front().finish = std::make_shared<const Finish>();
-    return layers;
 }
 
 }  // namespace rb

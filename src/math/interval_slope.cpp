@@ -61,6 +61,8 @@ IntervalSlope pow(const IntervalSlope& base, const IntervalSlope& exponent) {
     const bool whole = exponent.value.is_point() && std::trunc(exponent.value.lo) == exponent.value.lo;
     if (!exponent.value.is_point() || !is_constant(exponent) || (!whole && !(base.value.lo >= 0)))
         return {value, Interval::everything()};
+    const bool pole = exponent.value.lo < 0 && base.value.holds(0);
+    if (pole) return {value, Interval::everything()};
     return chain(value, exponent.value * pow(base.value, exponent.value - 1), base);
 }
 
@@ -73,6 +75,8 @@ IntervalSlope sin(const IntervalSlope& a) { return chain(sin(a.value), cos(a.val
 IntervalSlope cos(const IntervalSlope& a) { return chain(cos(a.value), -sin(a.value), a); }
 IntervalSlope tan(const IntervalSlope& a) {
     const Interval value = tan(a.value);
+    // Across a pole it falls from one infinity to the other.
+    if (value.has_infinity()) return {value, is_constant(a) ? Interval(0) : Interval::everything()};
     return chain(value, 1 + square(value), a);
 }
 IntervalSlope atan(const IntervalSlope& a) { return chain(atan(a.value), 1 / (1 + square(a.value)), a); }

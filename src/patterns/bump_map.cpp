@@ -63,20 +63,14 @@ private:
     ImageField field_;
 };
 
-PatternPtr read(BlockReader& outer) {
-    BlockReader in(outer.block("bump_map"), outer.context());
-    auto pattern = std::make_shared<BumpMap>(take_image_field(in));
-    in.finish();
-    return pattern;
-}
-
 }  // namespace
 
 namespace patterns {
 extern const PatternKind bump_map;
 const PatternKind bump_map{.keyword = "bump_map",
-                           .read = read,
+                           .read = read_picture<BumpMap>,
                            .default_frequency = 0,
+                           .only_in = "normal",
                            .example = "bump_map { function 4, 3 { pattern { gradient y } } bump_size 2 }"};
 }  // namespace patterns
 

@@ -85,8 +85,11 @@ PatternPtr read_parameter(BlockReader& in, const PatternPtr& so_far) {
 
 namespace patterns {
 extern const PatternKind facets;
-const PatternKind facets{
-    .keyword = "facets", .read = read, .read_parameter = read_parameter, .example = "facets size 0.3"};
+const PatternKind facets{.keyword = "facets",
+                         .read = read,
+                         .read_parameter = read_parameter,
+                         .only_in = "normal",
+                         .example = "facets size 0.3"};
 }  // namespace patterns
 
 }  // namespace rb

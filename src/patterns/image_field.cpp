@@ -107,12 +107,17 @@ std::optional<Vec2> ImageField::place(const Vec3& p) const {
     return Vec2{wrapped(a, width), wrapped(-b, height)};
 }
 
+/// What lies beyond an edge is the other side, or with `once` the edge.
+std::pair<int, int> ImageField::within(int x, int y) const {
+    const auto limited = [&](int v, int size) {
+        return options_.once ? std::clamp(v, 0, size - 1) : ((v % size) + size) % size;
+    };
+    return {limited(x, texels_.width()), limited(y, texels_.height())};
+}
+
 Color ImageField::pixel(int x, int y) const {
-    const int width = texels_.width();
-    const int height = texels_.height();
-    if (options_.once) return texels_.at(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1));
-    const auto around = [](int v, int size) { return ((v % size) + size) % size; };
-    return texels_.at(around(x, width), around(y, height));
+    const auto [i, j] = within(x, y);
+    return texels_.at(i, j);
 }
 
 Color ImageField::color(const Vec2& place) const {
@@ -145,7 +150,8 @@ Color ImageField::color(const Vec2& place) const {
 }
 
 uint32_t ImageField::index(const Vec2& place) const {
-    return texels_.index(static_cast<int>(place.x), static_cast<int>(place.y));
+    const auto [i, j] = within(static_cast<int>(place.x), static_cast<int>(place.y));
+    return texels_.index(i, j);
 }
 
 namespace {

@@ -2,7 +2,9 @@
 #include "block/reader.h"
 #include "patterns/texels.h"
 
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace rb {
 
@@ -39,6 +41,7 @@ public:
 
 private:
     std::optional<Vec2> unrolled(const Vec3& p) const;
+    std::pair<int, int> within(int x, int y) const;
     Color pixel(int x, int y) const;
 
     Texels texels_;
@@ -48,5 +51,14 @@ private:
 /// Takes the picture and its options from an image_map, image_pattern, bump_map or material_map; the numbers
 /// of all but image_map are no colours.
 ImageField take_image_field(BlockReader& in);
+
+/// Reads a block `keyword { FILE OPTIONS }` as a pattern that is made of its field.
+template <class P>
+PatternPtr read_picture(BlockReader& outer) {
+    BlockReader in(outer.block(outer.peek_word()), outer.context());
+    auto pattern = std::make_shared<P>(take_image_field(in));
+    in.finish();
+    return pattern;
+}
 
 }  // namespace rb

@@ -20,24 +20,14 @@ public:
             out[i] = place ? field_.color(*place) : outside;
         }
     }
-    void evaluate(const PatternContext&, std::span<const Vec3> points,
-                  std::span<double> values) const override {
-        for (size_t i = 0; i < points.size(); ++i) {
-            const auto place = field_.place(points[i]);
-            values[i] = place ? static_cast<double>(grey(field_.color(*place).rgb())) : 1.0;
-        }
+    /// Nobody asks: its colours are all there is.
+    void evaluate(const PatternContext&, std::span<const Vec3>, std::span<double> values) const override {
+        std::fill(values.begin(), values.end(), 0.0);
     }
 
 private:
     ImageField field_;
 };
-
-PatternPtr read(BlockReader& outer) {
-    BlockReader in(outer.block("image_map"), outer.context());
-    auto pattern = std::make_shared<ImageMap>(take_image_field(in));
-    in.finish();
-    return pattern;
-}
 
 }  // namespace
 
@@ -45,8 +35,9 @@ namespace patterns {
 extern const PatternKind image_map;
 const PatternKind image_map{
     .keyword = "image_map",
-    .read = read,
+    .read = read_picture<ImageMap>,
     .default_frequency = 0,
+    .only_in = "pigment",
     .example = "image_map { function 4, 3 { pattern { gradient x } } interpolate 2 }"};
 }  // namespace patterns
 

@@ -22,19 +22,12 @@ private:
     ImageField field_;
 };
 
-PatternPtr read(BlockReader& outer) {
-    BlockReader in(outer.block("image_pattern"), outer.context());
-    auto pattern = std::make_shared<ImagePattern>(take_image_field(in));
-    in.finish();
-    return pattern;
-}
-
 }  // namespace
 
 namespace patterns {
 extern const PatternKind image_pattern;
 const PatternKind image_pattern{.keyword = "image_pattern",
-                                .read = read,
+                                .read = read_picture<ImagePattern>,
                                 .default_frequency = 0,
                                 .example = "image_pattern { function 4, 3 { pattern { gradient y } } }"};
 }  // namespace patterns

@@ -24,6 +24,7 @@ struct PatternKind {
     ColorMap (*default_map)() = nullptr;       ///< null: black to white
     Wave default_wave = Wave::ramp;
     float default_frequency = 1;
+    std::string_view only_in = {};  ///< the one kind of statement that takes it; empty: all
     std::string_view example = {};
 };
 

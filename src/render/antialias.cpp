@@ -18,6 +18,21 @@ uint64_t seed_of(const Vec2& p) {
     return mixed(mixed(0, std::bit_cast<uint64_t>(p.x)), std::bit_cast<uint64_t>(p.y));
 }
 
+/// Over the rays that exist; where none does, what any of them shows.
+Radiance mean(std::span<const CameraRay> rays, std::span<const Radiance> lights) {
+    Radiance sum;
+    int count = 0;
+    for (size_t k = 0; k < rays.size(); ++k) {
+        if (!rays[k].exists) continue;
+        sum.rgb += lights[k].rgb;
+        sum.transmit += lights[k].transmit;
+        ++count;
+    }
+    if (count == 0) return lights.front();
+    const float scale = 1.0f / static_cast<float>(count);
+    return {sum.rgb * scale, sum.transmit * scale};
+}
+
 }  // namespace
 
 void Sampler::sample(std::span<const Vec2> positions, std::span<Radiance> out) {
@@ -30,30 +45,27 @@ void Sampler::sample(std::span<const Vec2> positions, std::span<Radiance> out) {
     integrator_.trace(batch, out, counters_);
 }
 
-/// The mean over those rays of a position that exist.
+/// The mean over those rays of a position that exist; as many positions at once as fill a batch.
 void Sampler::sample_several(std::span<const Vec2> positions, std::span<Radiance> out) {
-    const int several = rays_.rays_per_position();
+    constexpr size_t usual_batch = 1024;
+    const auto several = static_cast<size_t>(rays_.rays_per_position());
+    const size_t at_once = std::max<size_t>(usual_batch / several, 1);
     Scratch::Scope memory(thread_scratch());
-    const auto batch = memory.take<CameraRay>(static_cast<size_t>(several));
+    const auto batch = memory.take<CameraRay>(at_once * several);
     const auto lights = memory.take<Radiance>(batch.size());
-    for (size_t i = 0; i < positions.size(); ++i) {
-        const Vec2& p = positions[i];
-        for (int k = 0; k < several; ++k) {
-            CameraRay& ray = batch[static_cast<size_t>(k)];
-            ray.exists = rays_.at(p.x, p.y, k, ray.ray);
-            ray.seed = mixed(seed_of(p), static_cast<uint64_t>(k));
+    for (size_t begin = 0; begin < positions.size(); begin += at_once) {
+        const auto places = positions.subspan(begin, std::min(at_once, positions.size() - begin));
+        const size_t count = places.size() * several;
+        for (size_t i = 0; i < count; ++i) {
+            const Vec2& p = places[i / several];
+            const size_t k = i % several;
+            batch[i].exists = rays_.at(p.x, p.y, static_cast<int>(k), batch[i].ray);
+            batch[i].seed = mixed(seed_of(p), k);
         }
-        integrator_.trace(batch, lights, counters_);
-        Radiance sum;
-        int count = 0;
-        for (size_t k = 0; k < batch.size(); ++k) {
-            if (!batch[k].exists) continue;
-            sum.rgb += lights[k].rgb;
-            sum.transmit += lights[k].transmit;
-            ++count;
+        integrator_.trace(batch.first(count), lights.first(count), counters_);
+        for (size_t i = 0; i < places.size(); ++i) {
+            out[begin + i] = mean(batch.subspan(i * several, several), lights.subspan(i * several, several));
         }
-        const float scale = 1.0f / static_cast<float>(std::max(count, 1));
-        out[i] = count > 0 ? Radiance{sum.rgb * scale, sum.transmit * scale} : lights.front();
     }
 }
 

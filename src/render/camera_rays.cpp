@@ -39,7 +39,8 @@ CameraRays::CameraRays(const Camera& camera, const PatternSettings& patterns, in
       up_length_(glm::length(camera.up)),
       angle_(camera.angle_deg * pi / 180.0) {
     if (camera.mesh) mesh_.emplace(camera, width, height);
-    if (camera.normal && camera.normal->pattern) normal_.emplace(*camera.normal, patterns);
+    if (camera.normal && (camera.normal->pattern || camera.normal->average))
+        normal_.emplace(*camera.normal, patterns);
 }
 
 void CameraRays::at(std::span<const Vec2> positions, std::span<CameraRay> out) const {

@@ -5,6 +5,7 @@
 #include "render/block_borders.h"
 
 #include <mutex>
+#include <optional>
 
 namespace rb {
 
@@ -46,8 +47,10 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
     const SampleDistance distance(world.settings.assumed_gamma, options.antialias.gamma);
     const std::vector<PixelBlock> blocks = blocks_of(region, options.block_size);
 
-    BlockBorders borders(region, options.block_size);
-    BlockBorders* const shared_borders = options.shading.skip_unneeded ? &borders : nullptr;
+    // Only method 1 looks at the pixels beside a block.
+    std::optional<BlockBorders> borders;
+    if (options.antialias.method == 1 && options.shading.skip_unneeded)
+        borders.emplace(region, options.block_size);
 
     std::mutex mutex;
     size_t done = 0;
@@ -66,7 +69,7 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
         Scratch::Scope memory(thread_scratch());
         const auto pixels = memory.take<Radiance>(count);
         Sampler sampler(integrator, rays, lens, counters);
-        render_block(sampler, block, options.antialias, distance, shared_borders, pixels);
+        render_block(sampler, block, options.antialias, distance, borders ? &*borders : nullptr, pixels);
 
         const std::lock_guard lock(mutex);
         for (int y = block.y0; y < block.y1; ++y) {

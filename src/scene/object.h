@@ -1,5 +1,5 @@
 #pragma once
-#include "base/slabs.h"
+#include "base/returning_allocator.h"
 #include "base/source.h"
 #include "scene/light.h"
 #include "scene/shape.h"
@@ -101,7 +101,7 @@ struct Object {
 /// should give their memory back.
 template <typename... From>
 std::shared_ptr<Object> make_object(const From&... from) {
-    return std::allocate_shared<Object>(SlabAllocator<Object>(), from...);
+    return std::allocate_shared<Object>(ReturningAllocator<Object>(), from...);
 }
 
 /// Applies a transformation statement to an object as the language does: geometry, bounds, clips, and what

@@ -8,6 +8,13 @@ const TurbulenceWarp* PatternModifiers::classic_turbulence() const {
     return last && last->classic ? last : nullptr;
 }
 
+TexturePtr plain_texture() {
+    Texture layer;
+    layer.pigment = std::make_shared<const Pigment>();
+    layer.finish = std::make_shared<const Finish>();
+    return std::make_shared<const TextureLayers>(TextureLayers{std::move(layer)});
+}
+
 PatternModifiers transformed(const PatternModifiers& modifiers, const Transform& map) {
     PatternModifiers out = modifiers;
     if (!out.warps.empty() && std::holds_alternative<Transform>(out.warps.front())) {

@@ -114,6 +114,9 @@ struct Texture {
 using TextureLayers = std::vector<Texture>;
 using TexturePtr = std::shared_ptr<const TextureLayers>;
 
+/// One plain layer: black, with the language's default finish.
+TexturePtr plain_texture();
+
 /// The same with `map` applied after what is there, as a transformation statement does (spec:
 /// textures 2.2, 8.2).
 PatternModifiers transformed(const PatternModifiers& modifiers, const Transform& map);

@@ -113,14 +113,8 @@ TEST_F(Inherit, FallbackTextureOfTheStatementWins) {
 }
 
 TEST_F(Inherit, TexturesMoveWithLaterTransformationsOfParents) {
-    auto child = std::make_shared<Object>(*object_from("sphere{0,1}"));
-    auto pigment = std::make_shared<Pigment>();
-    pigment->source = PatternPtr{};
-    Texture layer;
-    layer.pigment = pigment;
-    layer.finish = std::make_shared<Finish>();
-    child->texture =
-        WornTexture{std::make_shared<TextureLayers>(TextureLayers{layer}), Transform::scaling(Vec3{2})};
+    auto child = std::make_shared<Object>(*object_from("sphere{0,1 pigment{bozo}}"));
+    child->texture->world_from_texture = Transform::scaling(Vec3{2});
     auto parent = csg(CsgKind::union_, {child, object_from("sphere{<9,0,0>,1}")});
     transform_object(*parent, Transform::translation({3, 0, 0}));
     auto uv_child = std::make_shared<Object>(*child);

@@ -22,12 +22,4 @@ Scene scene_from(std::string_view text) {
 
 ObjectPtr object_from(std::string_view text) { return scene_from(text).objects.at(0); }
 
-TexturePtr plain_texture() {
-    auto pigment = std::make_shared<Pigment>();
-    Texture layer;
-    layer.pigment = std::move(pigment);
-    layer.finish = std::make_shared<Finish>();
-    return std::make_shared<TextureLayers>(TextureLayers{std::move(layer)});
-}
-
 }  // namespace rb

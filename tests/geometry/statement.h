@@ -11,7 +11,4 @@ Scene scene_from(std::string_view text);
 /// The first object of that scene.
 ObjectPtr object_from(std::string_view text);
 
-/// One plain opaque texture.
-TexturePtr plain_texture();
-
 }  // namespace rb

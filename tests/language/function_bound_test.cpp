@@ -98,6 +98,7 @@ const std::vector<std::string> bodies{"x+y-z",
                                       "pow(x,2)",
                                       "pow(x,3)",
                                       "pow(x,-1)",
+                                      "pow(x,-1)",
                                       "pow(x,-2)",
                                       "pow(x,y)",
                                       "pow(abs(x),y)",
@@ -174,6 +175,72 @@ TEST(FunctionBound, FunctionsOfFunctions) {
     EXPECT_GT(f->bound(outside, 0).lo, 0);
     const std::array inside{Interval(-0.2, 0.2), Interval(0, 0.5), Interval(0, 0.5)};
     EXPECT_LT(f->bound(inside, 0).hi, 0);
+}
+
+/// Along a line: values and difference quotients, but for the rounding of the latter.
+void expect_slope_bounded(const Function& f, size_t parameters, Draw& draw, const std::string& name) {
+    const double width = std::array{1e-3, 0.1, 1.0}[draw.index(3)];
+    const double from = draw.uniform(-2, 2);
+    const Interval t(from, from + width);
+    std::array<double, 3> origin, direction;
+    std::vector<IntervalSlope> line;
+    for (size_t k = 0; k < 3; ++k) {
+        origin[k] = draw.uniform(-3, 3);
+        direction[k] = draw.index(3) == 0 ? 0.0 : draw.uniform(-1, 1);
+        line.push_back({Interval(origin[k]) + t * Interval(direction[k]), Interval(direction[k])});
+    }
+    for (size_t k = 3; k < parameters; ++k) line.emplace_back(draw.uniform(0.1, 3));
+    const IntervalSlope bound = f.bound_slope(line, 0);
+    const auto at = [&](double place) {
+        std::vector<double> point;
+        for (size_t k = 0; k < 3; ++k) point.push_back(origin[k] + place * direction[k]);
+        for (size_t k = 3; k < parameters; ++k) point.push_back(line[k].value.lo);
+        std::array<double, 5> out{};
+        f.evaluate(point, {out.data(), static_cast<size_t>(f.result_count())});
+        return out[0];
+    };
+    for (int i = 0; i < 20; ++i) {
+        const double a = draw.uniform(t.lo, t.hi);
+        const double b = draw.uniform(t.lo, t.hi);
+        const double fa = at(a);
+        const double fb = at(b);
+        EXPECT_TRUE(bound.value.holds(fa)) << name;
+        if (std::abs(b - a) < 0.01 * width || !std::isfinite(fa) || !std::isfinite(fb)) continue;
+        const double quotient = (fb - fa) / (b - a);
+        const double rounding = 1e-10 * (1 + std::abs(fa) + std::abs(fb)) / std::abs(b - a);
+        if (bound.slope.maybe_nan) continue;
+        ASSERT_GE(quotient, bound.slope.lo - rounding) << name << " from " << a << " to " << b;
+        ASSERT_LE(quotient, bound.slope.hi + rounding) << name << " from " << a << " to " << b;
+    }
+}
+
+TEST(FunctionSlope, HoldsDifferenceQuotients) {
+    Draw draw(5);
+    for (const std::string& body : bodies) {
+        const FunctionPtr f = function_of("function { " + body + " }");
+        for (int i = 0; i < 300; ++i) ASSERT_NO_FATAL_FAILURE(expect_slope_bounded(*f, 3, draw, body));
+    }
+    const auto generator = std::make_shared<const int>(2);
+    for (int number = 0; number <= 78; ++number) {
+        const FunctionPtr f = internal_function(number, generator);
+        const auto parameters = static_cast<size_t>(f->parameter_count());
+        for (int i = 0; i < 200; ++i) {
+            ASSERT_NO_FATAL_FAILURE(
+                expect_slope_bounded(*f, parameters, draw, fmt::format("internal({})", number)));
+        }
+    }
+}
+
+TEST(FunctionSlope, TellsWhetherAFunctionRises) {
+    const auto slope = [](const char* body, Interval x) {
+        const std::array line{IntervalSlope(x, 1), IntervalSlope(0), IntervalSlope(0)};
+        return function_of(fmt::format("function {{ {} }}", body))->bound_slope(line, 0).slope;
+    };
+    EXPECT_GT(slope("x*x", {1, 2}).lo, 0);
+    EXPECT_LT(slope("1/x", {1, 2}).hi, 0);
+    EXPECT_GT(slope("exp(x)-1", {-1, 2}).lo, 0);
+    EXPECT_LT(slope("cos(x)", {0.5, 3}).hi, 0);
+    EXPECT_FALSE(slope("floor(x)", {0.5, 1.5}).hi < infinity);
 }
 
 struct Tight {

@@ -100,6 +100,24 @@ TEST(Png, EqualsTheSlowTwin) {
     }
 }
 
+TEST(Netpbm, HoldsAsManyBitsAsAreAskedFor) {
+    Pixels one(1, 1, 3);
+    std::ranges::copy(std::array{0.36f, 1.0f, -1.0f}, one.at(0, 0));
+    const auto written = [&](int bits) {
+        OutputFormat format;
+        format.type = FileType::ppm;
+        format.bits = bits;
+        write_image(rows_of(one), format, temporary("bits.ppm"));
+        std::ifstream in(temporary("bits.ppm"), std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    using namespace std::string_literals;
+    EXPECT_EQ(written(5), "P6\n1 1\n31\n\x0b\x1f\0"s);
+    EXPECT_EQ(written(8), "P6\n1 1\n255\n\x5c\xff\0"s);
+    EXPECT_EQ(written(10), "P6\n1 1\n1023\n\x01\x70\x03\xff\0\0"s);
+    EXPECT_EQ(written(16), "P6\n1 1\n65535\n\x5c\x29\xff\xff\0\0"s);
+}
+
 TEST(WriteImage, FailureLeavesTheOldFileAndNothingElse) {
     const fs::path folder = fs::path(testing::TempDir()) / "write_image";
     fs::remove_all(folder);

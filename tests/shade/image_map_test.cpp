@@ -198,6 +198,20 @@ TEST(Texels, AlphaLetsLightThrough) {
     EXPECT_EQ(texels.at(0, 0).filter, 0.3f);
 }
 
+TEST(ImageField, PixelsBeyondTheEdgeAreThoseOfTheOtherSide) {
+    Image image = image_of(ImageType::png, 1, {3});
+    image.palette.resize(4, {0, 0, 0, 255});
+    ImageSource source;
+    source.image = std::make_shared<Image>(image);
+    for (const bool once : {false, true}) {
+        ImageOptions options;
+        options.once = once;
+        const ImageField field(Texels(source, {}), options);
+        EXPECT_EQ(field.index({1.5, 0.0}), 3u);
+        EXPECT_EQ(field.color({1.5, 2.5}), (Color{0, 0, 0, 0, 0}));
+    }
+}
+
 TEST(MaterialMap, AnIndexEqualToTheCountIsNotWrapped) {
     Image image = image_of(ImageType::png, 1, {});
     image.width = 5;
