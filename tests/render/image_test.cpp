@@ -66,25 +66,24 @@ TEST_P(Formats, RoundTrip) {
     EXPECT_LE(largest, c.tolerance);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Formats,
-                         testing::Values(FormatCase{"rgb8.png", FileType::png, 8, 3, 1e-6f},
-                                         FormatCase{"rgba8.png", FileType::png, 8, 4, 1e-6f},
-                                         FormatCase{"grey16.png", FileType::png, 16, 1, 1e-6f},
-                                         FormatCase{"rgb16.png", FileType::png, 16, 3, 1e-6f},
-                                         FormatCase{"a.ppm", FileType::ppm, 8, 3, 1e-6f},
-                                         FormatCase{"b.ppm", FileType::ppm, 16, 3, 1e-6f},
-                                         FormatCase{"a.tga", FileType::tga, 8, 3, 1e-6f},
-                                         FormatCase{"b.tga", FileType::tga_uncompressed, 8, 4, 1e-6f},
-                                         FormatCase{"a.bmp", FileType::bmp, 8, 3, 1e-6f},
-                                         FormatCase{"a.jpg", FileType::jpeg, 8, 3, 0.03f},
-                                         FormatCase{"a.exr", FileType::exr, 8, 3, 1e-3f},
-                                         FormatCase{"a.hdr", FileType::hdr, 8, 3, 0.02f},
-                                         FormatCase{"a.tif", FileType::tiff, 16, 3, 1e-6f}),
-                         [](const auto& i) {
-                             std::string name = i.param.name;
-                             std::ranges::replace(name, '.', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    All, Formats,
+    testing::Values(
+        FormatCase{"rgb8.png", FileType::png, 8, 3, 1e-6f},
+        FormatCase{"rgba8.png", FileType::png, 8, 4, 1e-6f},
+        FormatCase{"grey16.png", FileType::png, 16, 1, 1e-6f},
+        FormatCase{"rgb16.png", FileType::png, 16, 3, 1e-6f}, FormatCase{"a.ppm", FileType::ppm, 8, 3, 1e-6f},
+        // OpenImageIO 2.4 reads 65535 as 65534; Netpbm below looks at the bytes.
+        FormatCase{"b.ppm", FileType::ppm, 16, 3, 1.6e-5f}, FormatCase{"a.tga", FileType::tga, 8, 3, 1e-6f},
+        FormatCase{"b.tga", FileType::tga_uncompressed, 8, 4, 1e-6f},
+        FormatCase{"a.bmp", FileType::bmp, 8, 3, 1e-6f}, FormatCase{"a.jpg", FileType::jpeg, 8, 3, 0.03f},
+        FormatCase{"a.exr", FileType::exr, 8, 3, 1e-3f}, FormatCase{"a.hdr", FileType::hdr, 8, 3, 0.02f},
+        FormatCase{"a.tif", FileType::tiff, 16, 3, 1e-6f}),
+    [](const auto& i) {
+        std::string name = i.param.name;
+        std::ranges::replace(name, '.', '_');
+        return name;
+    });
 
 // The PNG writer is the fast twin of OpenImageIO's.
 TEST(Png, EqualsTheSlowTwin) {
