@@ -59,8 +59,34 @@ double convex_root(const Value& value, const Slope& slope, double x, double f, d
     return bracketed_root(value, x, f, inner, f_inner);
 }
 
-/// The roots of a convex function on [a, b], at most two, for take(t). `starts_on_root`: it is 0 at a = 0,
-/// which does not count. The function must be positive at b unless there is no root there.
+struct Tangent {
+    double t;
+    double f;
+    double slope;
+};
+
+/// A place between `from` and `to` where a convex function is below 0, which it is not there; with f >= 0 if
+/// there is none. Moves both toward it.
+template <class Value, class Slope>
+Tangent convex_valley(const Value& value, const Slope& slope, Tangent& from, Tangent& to) {
+    while (from.slope < 0.0 && to.slope > 0.0) {
+        // Both tangents lie below: where they meet above zero, all is above.
+        const double meet = (to.f - from.f + from.slope * from.t - to.slope * to.t) / (from.slope - to.slope);
+        if (from.f + from.slope * (meet - from.t) > 0.0) break;
+        if (from.t - from.f / from.slope > to.t || to.t - to.f / to.slope < from.t) break;
+        const double t = meet > from.t && meet < to.t ? meet : 0.5 * (from.t + to.t);
+        if (!(t > from.t && t < to.t)) break;
+        const double f = value(t);
+        if (f < 0.0) return {t, f, 0.0};
+        const Tangent at{t, f, slope(t)};
+        (at.slope < 0.0 ? from : to) = at;
+    }
+    return from;
+}
+
+/// The roots of a convex function on [a, b], at most two, for take(t), which says how far others still
+/// matter. `starts_on_root`: it is 0 at a = 0, which does not count. The function must be positive at b
+/// unless there is no root there.
 template <class Value, class Slope, class Take>
 void convex_roots(const Value& value, const Slope& slope, double a, double b, bool starts_on_root,
                   const Take& take) {
@@ -78,26 +104,29 @@ void convex_roots(const Value& value, const Slope& slope, double a, double b, bo
         if (at_last > 0.0) take(convex_root(value, slope, b, at_last, slope(b), a, at_first));
         return;
     }
-    double fa = at_first;
-    double fb = at_last;
-    double sa = slope(a);
-    double sb = slope(b);
-    while (sa < 0.0 && sb > 0.0) {
-        // Both tangents lie below: where they meet above zero, all is above.
-        const double meet = (fb - fa + sa * a - sb * b) / (sa - sb);
-        if (fa + sa * (meet - a) > 0.0) return;
-        const double t = meet > a && meet < b ? meet : 0.5 * (a + b);
-        if (!(t > a && t < b)) return;
-        const double f = value(t);
-        if (f < 0.0) {
-            take(convex_root(value, slope, a, fa, sa, t, f));
-            take(convex_root(value, slope, b, fb, sb, t, f));
-            return;
-        }
-        const double s = slope(t);
-        (s < 0.0 ? a : b) = t;
-        (s < 0.0 ? fa : fb) = f;
-        (s < 0.0 ? sa : sb) = s;
+    Tangent from{a, at_first, slope(a)};
+    Tangent to{b, at_last, slope(b)};
+    const Tangent valley = convex_valley(value, slope, from, to);
+    if (!(valley.f < 0.0)) return;
+    if (take(convex_root(value, slope, from.t, from.f, from.slope, valley.t, valley.f)) > valley.t)
+        take(convex_root(value, slope, to.t, to.f, to.slope, valley.t, valley.f));
+}
+
+/// The roots between `a` and `b`, at most two, of a function that is convex there but may be steep beyond
+/// measure at both ends, where its values are `fa` and `fb`.
+template <class Value, class Slope, class Take>
+void convex_roots_between(const Value& value, const Slope& slope, double a, double fa, double b, double fb,
+                          const Take& take) {
+    if ((fa < 0.0) != (fb < 0.0)) {
+        take(bracketed_root(value, a, fa, b, fb));
+    } else if (fa >= 0.0) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        Tangent from{a, fa, -infinity};
+        Tangent to{b, fb, infinity};
+        const Tangent valley = convex_valley(value, slope, from, to);
+        if (!(valley.f < 0.0)) return;
+        if (take(bracketed_root(value, from.t, from.f, valley.t, valley.f)) > valley.t)
+            take(bracketed_root(value, valley.t, valley.f, to.t, to.f));
     }
 }
 

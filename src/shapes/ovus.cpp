@@ -122,7 +122,10 @@ public:
         const auto slope = [&](double t) { return glm::dot(d, gradient(q + t * d)); };
         const double from = here ? 0.0 : std::max(-half, -middle);
         if (!(from < half)) return;
-        convex_roots(value, slope, from, half, here, [&](double t) { sink(middle + t, 0u, Vec2{0.0}); });
+        convex_roots(value, slope, from, half, here, [&](double t) {
+            sink(middle + t, 0u, Vec2{0.0});
+            return sink.reach() - middle;
+        });
     }
 
     Vec3 normal(const Vec3& p, const Crossing&) const override {

@@ -1,4 +1,5 @@
 // superellipsoid { <e, n> }   (manual 3.5.1.14): ((|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n)) = 1
+#include "math/p_norm.h"
 #include "shapes/convex_ray.h"
 #include "shapes/frame.h"
 #include "shapes/ray_shape.h"
@@ -12,16 +13,6 @@ namespace rb {
 
 namespace {
 
-/// (a^p + b^p)^(1/p) for a, b >= 0: the p-norm; the larger of both for an infinite p.
-double p_norm(double a, double b, double p) {
-    const double most = std::max(a, b);
-    if (!(most > 0.0)) return 0.0;
-    return most * std::pow(1.0 + std::pow(std::min(a, b) / most, p), 1.0 / p);
-}
-
-/// Derivative of the p-norm `norm` by its part `a`.
-double p_slope(double a, double norm, double p) { return a > 0.0 ? std::pow(a / norm, p - 1.0) : 0.0; }
-
 /// The exponent of the dual norm; below 1 the hull of the unit ball counts.
 double dual(double p) {
     return p > 1.0 ? (std::isinf(p) ? 1.0 : p / (p - 1.0)) : std::numeric_limits<double>::infinity();
@@ -30,19 +21,26 @@ double dual(double p) {
 class Superellipsoid final : public RayShape<Superellipsoid> {
 public:
     Superellipsoid(const Frame& frame, double east, double north)
-        : frame_(frame), east_(east), north_(north), p_(2.0 / std::abs(east)), q_(2.0 / std::abs(north)) {}
+        : frame_(frame),
+          east_(east),
+          north_(north),
+          across_(2.0 / std::abs(east)),
+          along_(2.0 / std::abs(north)) {}
 
     std::string_view keyword() const override { return "superellipsoid"; }
     bool is_always_exact() const override { return true; }
-    bool is_convex() const { return p_ >= 1.0 && q_ >= 1.0; }
+    bool is_convex() const { return across_.p() >= 1.0 && along_.p() >= 1.0; }
+    /// Within each octant.
+    bool is_concave() const { return across_.p() <= 1.0 && along_.p() <= 1.0; }
     Curvature curvature() const override { return is_convex() ? Curvature::convex : Curvature::any; }
 
     Bounds bounds() const override {
         const auto& r = frame_.object_from_local.forward.row;
+        const PNorm across(dual(across_.p()));
+        const PNorm along(dual(along_.p()));
         Vec3 half;
         for (int i = 0; i < 3; ++i) {
-            const double across = p_norm(std::abs(r[0][i]), std::abs(r[1][i]), dual(p_));
-            half[i] = p_norm(across, std::abs(r[2][i]), dual(q_));
+            half[i] = along(across(std::abs(r[0][i]), std::abs(r[1][i])), std::abs(r[2][i]));
         }
         half += 64.0 * std::numeric_limits<double>::epsilon() * (half + glm::abs(r[3]));
         return {r[3] - half, r[3] + half};
@@ -57,7 +55,7 @@ public:
     void each_crossing(const ShapeRay& query, Sink&& sink) const {
         const Vec3 d = frame_.local_direction(query.ray.direction);
         const Vec3 o = frame_.local_point(query.ray.origin);
-        Line line{o, d, *this, 0.0};
+        Line line(o, d, *this);
         double a = 0.0;
         double b = std::numeric_limits<double>::infinity();
         constexpr double reach = 1.0 + 1e-6;
@@ -72,21 +70,23 @@ public:
             b = std::min(b, std::max(u, v));
         }
         if (!(a < b)) return;
-        const auto take = [&](double t) { sink(t, 0u, Vec2{0.0}); };
+        const auto take = [&](double t) {
+            sink(t, 0u, Vec2{0.0});
+            return sink.reach();
+        };
         const bool here = starts_here(query, o);
-        // On the surface its value there counts as zero.
-        if (here) line.level = value(o);
+        if (here) line.start_on_surface();
         if (is_convex()) {
             // A norm: its value along the ray has one valley.
             convex_roots([&](double t) { return line.value(t); }, [&](double t) { return line.slope(t); }, a,
                          b, here, take);
         } else {
-            piecewise_roots(line, a, b, here, take);
+            roots_by_octant(line, a, b, here, take);
         }
     }
 
     Vec3 normal(const Vec3& p, const Crossing&) const override {
-        return frame_.normal(gradient(frame_.local_point(p)));
+        return frame_.normal(slopes(frame_.local_point(p)).gradient);
     }
 
     ShapePtr transformed(const Transform& map) const override {
@@ -101,79 +101,133 @@ public:
     }
 
 private:
+    struct Slopes {
+        double value;
+        Vec3 gradient;
+    };
+    Slopes slopes(const Vec3& p) const {
+        const PNorm::Growth across = across_.growth(std::abs(p.x), std::abs(p.y));
+        const PNorm::Growth all = along_.growth(across.value, std::abs(p.z));
+        // In a crease it has no end.
+        const auto finite = [](double v) { return std::min(v, 1e30); };
+        const double outer = finite(all.by_a);
+        const Vec3 gradient{std::copysign(finite(across.by_a) * outer, p.x),
+                            std::copysign(finite(across.by_b) * outer, p.y),
+                            std::copysign(finite(all.by_b), p.z)};
+        return {all.value - 1.0, gradient};
+    }
     double value(const Vec3& p) const {
-        return p_norm(p_norm(std::abs(p.x), std::abs(p.y), p_), std::abs(p.z), q_) - 1.0;
+        return along_(across_(std::abs(p.x), std::abs(p.y)), std::abs(p.z)) - 1.0;
     }
 
-    Vec3 gradient(const Vec3& p) const {
-        const Vec3 a = glm::abs(p);
-        const double across = p_norm(a.x, a.y, p_);
-        const double all = p_norm(across, a.z, q_);
-        const double by_across = p_slope(across, all, q_);
-        return {std::copysign(p_slope(a.x, across, p_) * by_across, p.x),
-                std::copysign(p_slope(a.y, across, p_) * by_across, p.y),
-                std::copysign(p_slope(a.z, all, q_), p.z)};
-    }
+    class Line {
+    public:
+        Line(const Vec3& origin, const Vec3& direction, const Superellipsoid& shape)
+            : o(origin), d(direction), shape_(shape) {}
 
-    struct Line {
-        Vec3 o;
-        Vec3 d;
-        const Superellipsoid& shape;
-        double level;
+        /// On the surface its value there counts as zero.
+        void start_on_surface() { level_ = shape_.value(o); }
+        double value(double t) const {
+            if (t != at_) {
+                const Slopes slopes = shape_.slopes(o + t * d);
+                value_ = slopes.value - level_;
+                slope_ = glm::dot(d, slopes.gradient);
+                at_ = t;
+            }
+            return value_;
+        }
+        /// Hardly costs anything where the value was asked for last.
+        double slope(double t) const {
+            value(t);
+            return slope_;
+        }
+        /// Within one octant.
+        IntervalSlope bound(double from, double to) const {
+            std::array<IntervalSlope, 3> size;
+            for (int i = 0; i < 3; ++i) {
+                const double middle = o[i] + 0.5 * (from + to) * d[i];
+                const auto at = [&](double t) {
+                    return std::max(std::copysign(1.0, middle) * (o[i] + t * d[i]), 0.0);
+                };
+                const auto [least, most] = std::minmax(at(from), at(to));
+                size[static_cast<size_t>(i)] = {Interval(least, most), std::copysign(1.0, middle) * d[i]};
+            }
+            return shape_.along_(shape_.across_(size[0], size[1]), size[2]) - IntervalSlope(1.0 + level_);
+        }
 
-        double value(double t) const { return shape.value(o + t * d) - level; }
-        double slope(double t) const { return glm::dot(d, shape.gradient(o + t * d)); }
+        const Vec3 o;
+        const Vec3 d;
+
+    private:
+        const Superellipsoid& shape_;
+        double level_ = 0.0;
+        mutable double at_ = std::numeric_limits<double>::quiet_NaN();
+        mutable double value_ = 0.0;
+        mutable double slope_ = 0.0;
     };
 
     bool starts_here(const ShapeRay& query, const Vec3& o) const {
         if (query.starts_on_surface) return true;
         if (!(query.origin_error > 0.0)) return false;
         const double error = query.origin_error * std::max(frame_.radial_stretch, frame_.axial_stretch);
-        return std::abs(value(o)) <= error * glm::length(gradient(o));
+        const Slopes at = slopes(o);
+        return std::abs(at.value) <= error * glm::length(at.gradient);
     }
 
-    /// Between the planes where the formula has its edges it is smooth; each piece is looked at closely.
     template <class Take>
-    static void piecewise_roots(const Line& line, double a, double b, bool here, const Take& take) {
-        const Vec3& o = line.o;
-        const Vec3& d = line.d;
-        std::array<double, 11> cuts{a, b};
+    void roots_by_octant(const Line& line, double a, double b, bool here, const Take& take) const {
+        std::array<double, 5> cuts{a, b};
         size_t n = 2;
-        const auto cut = [&](double at, double speed) {
-            if (speed == 0.0) return;
-            const double t = -at / speed;
-            if (t > a && t < b) cuts[n++] = t;
-        };
         for (int i = 0; i < 3; ++i) {
-            const int k = (i + 1) % 3;
-            cut(o[i], d[i]);
-            cut(o[i] - o[k], d[i] - d[k]);
-            cut(o[i] + o[k], d[i] + d[k]);
+            if (line.d[i] == 0.0) continue;
+            const double t = -line.o[i] / line.d[i];
+            if (t > a && t < b) cuts[n++] = t;
         }
         std::sort(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(n));
-        constexpr int parts = 16;
+        double reach = b;
+        const auto note = [&](double t) { return reach = take(t); };
         constexpr double beside = 1e-9;
-        double t = here ? beside * b : a;
-        double f = line.value(t);
+        if (here) cuts[0] = beside * b;
+        double f = line.value(cuts[0]);
         for (size_t i = 0; i + 1 < n; ++i) {
-            for (int k = 1; k <= parts; ++k) {
-                const double next = k == parts ? cuts[i + 1] : cuts[i] + (cuts[i + 1] - cuts[i]) * k / parts;
-                if (!(next > t)) continue;
-                const double g = line.value(next);
-                if ((f < 0.0) != (g < 0.0)) {
-                    take(bracketed_root([&](double at) { return line.value(at); }, t, f, next, g));
-                }
-                t = next;
-                f = g;
+            if (!(cuts[i] < cuts[i + 1])) continue;
+            if (cuts[i] > reach) return;
+            const double g = line.value(cuts[i + 1]);
+            if (is_concave()) {
+                convex_roots_between([&](double t) { return -line.value(t); },
+                                     [&](double t) { return -line.slope(t); }, cuts[i], -f, cuts[i + 1], -g,
+                                     note);
+            } else {
+                constexpr double finest = 1e-9;
+                bounded_roots(line, cuts[i], f, cuts[i + 1], g, finest * (b - a), note);
             }
+            f = g;
         }
+    }
+
+    /// Halves until bounds tell that there is no root, or one.
+    template <class Take>
+    static void bounded_roots(const Line& line, double a, double fa, double b, double fb, double finest,
+                              const Take& take) {
+        const IntervalSlope v = line.bound(a, b);
+        if (v.value.lo > 0.0 || v.value.hi < 0.0) return;
+        const bool monotone = v.slope.lo > 0.0 || v.slope.hi < 0.0;
+        if (monotone || b - a < finest) {
+            if ((fa < 0.0) != (fb < 0.0))
+                take(bracketed_root([&](double t) { return line.value(t); }, a, fa, b, fb));
+            return;
+        }
+        const double middle = 0.5 * (a + b);
+        const double f = line.value(middle);
+        bounded_roots(line, a, fa, middle, f, finest, take);
+        bounded_roots(line, middle, f, b, fb, finest, take);
     }
 
     Frame frame_;
     double east_;
     double north_;
-    double p_;
-    double q_;
+    PNorm across_;  ///< of x and y
+    PNorm along_;   ///< of that and z
 };
 
 ShapePtr read(BlockReader& in) {

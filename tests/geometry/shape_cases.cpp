@@ -10,7 +10,7 @@ namespace rb {
 namespace {
 
 /// Beside the registry's examples, without modifiers; about as large as the unit cube around the origin.
-constexpr std::array<std::string_view, 20> further{
+constexpr std::array<std::string_view, 23> further{
     "cone { <0,-0.5,0>, 0.5, <0,0.5,0>, 0 }",
     "cone { <-0.3,-0.5,0>, 0.1, <0.2,0.5,0.1>, 0.4 }",
     "cylinder { <-0.4,-0.3,0.2>, <0.5,0.4,-0.1>, 0.05 }",
@@ -27,6 +27,9 @@ constexpr std::array<std::string_view, 20> further{
     "sor { 5, <0,-0.8>, <0,-0.5>, <0.5,0>, <0,0.5>, <0,0.8> }",
     "superellipsoid { <0.1, 0.1> }",
     "superellipsoid { <1.7, 0.5> }",
+    "superellipsoid { <0.6, 2.7> }",
+    "superellipsoid { <3, 0.8> }",
+    "superellipsoid { <2.5, 3> }",
     "blob { threshold 0.6 cylinder { <-0.4,0,0>, <0.4,0.1,0>, 0.4, 1 } sphere { <0,0.3,0>, 0.4, 1 } "
     "sphere { <0.1,-0.1,-0.3>, 0.3, -1 } }",
     "ovus { 0.3, 0.2 }",
