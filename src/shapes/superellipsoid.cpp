@@ -149,7 +149,7 @@ private:
                 const auto at = [&](double t) {
                     return std::max(std::copysign(1.0, middle) * (o[i] + t * d[i]), 0.0);
                 };
-                const auto [least, most] = std::minmax(at(from), at(to));
+                const auto [least, most] = std::minmax({at(from), at(to)});
                 size[static_cast<size_t>(i)] = {Interval(least, most), std::copysign(1.0, middle) * d[i]};
             }
             return shape_.along_(shape_.across_(size[0], size[1]), size[2]) - IntervalSlope(1.0 + level_);
