@@ -1,5 +1,4 @@
-#include "compile/flatten.h"
-
+#include "compile/flatten_parts.h"
 #include "compile/leaf_order.h"
 
 #include <algorithm>
@@ -8,18 +7,6 @@
 namespace rb {
 
 namespace {
-
-/// An interior on its way into the world: made only when a surface needs an identity of its own.
-struct InteriorSlot {
-    InteriorPtr interior;
-    bool hollow = false;
-    uint32_t index = no_surface;
-};
-
-template <class T>
-const T* as(const Object& object) {
-    return std::get_if<T>(&object.geometry);
-}
 
 bool splits(const Object& object) {
     const auto* csg = as<Csg>(object);
@@ -91,35 +78,6 @@ Bounds cut_box(const SolidForest& solids, const Leaf& leaf) {
 }
 
 }  // namespace
-
-/// What a child receives from above (spec: geometry 3.3); everything is in world space.
-struct Flattener::Inherited {
-    Transform world_from_parent;
-    std::optional<WornTexture> texture;
-    bool uv_mapping = false;
-    std::optional<WornTexture> interior_texture;
-    bool cutaway = false;  ///< leaves without texture show what contains them
-    TexturePtr fallback_texture;
-    uint32_t slot = no_surface;
-    bool hollow = false;
-    bool no_shadow = false;
-    bool no_image = false;
-    bool no_reflection = false;
-    bool no_radiosity = false;
-    bool double_illuminate = false;
-    bool top = true;           ///< not inside a compound that stays whole
-    bool flags_fixed = false;  ///< inside an intersection: children's own visibility flags do nothing
-    bool image_fixed = false;  ///< inside a union that stays whole: children's no_image does nothing
-    bool surfaces = true;      ///< false for clips and bounds: they only answer inside tests
-};
-
-struct Flattener::Draft {
-    std::vector<InteriorSlot> slots;
-    uint32_t shared_interior[2] = {no_surface, no_surface};  ///< of opaque things without interior; by hollow
-    std::vector<uint32_t> top_ends;                          ///< behind the last leaf of each top object
-    size_t top_objects = 0;
-    std::vector<uint32_t> cuts;  ///< leaves of the present solid that show what contains them
-};
 
 Flattener::Flattener(World& world, TexturePtr default_texture, Diagnostics& diagnostics)
     : world_(world),
@@ -323,109 +281,6 @@ uint32_t Flattener::build_shape(const Object&, const ShapePtr& shape, const Inhe
     flat_.solids.shapes.push_back(std::move(placed));
     flat_.solids.nodes.push_back(std::move(node));
     return static_cast<uint32_t>(flat_.solids.nodes.size() - 1);
-}
-
-void Flattener::add_leaf(const Object& object, const Inherited& own, uint32_t node) {
-    const SolidNode& solid = flat_.solids.nodes[node];
-    const PlacedShape& placed = flat_.solids.shapes[solid.placed];
-    Leaf leaf;
-    leaf.shape = placed.shape;
-    leaf.object_from_world = placed.object_from_world;
-    leaf.in_world_space = placed.in_world_space;
-    leaf.inverted = solid.inverted;
-    leaf.solid = node;
-
-    Surface surface = surface_of(object, own);
-    bool opaque = surface_table_.opaque(surface);
-    const auto textures = leaf.shape->textures();
-    for (const TexturePtr& texture : textures) opaque = opaque && surface_table_.opaque(texture);
-    if (own.hollow) draft_->slots[own.slot].hollow = true;
-    surface.interior = interior_index(own, opaque);
-    if (!textures.empty()) {
-        // Components that bring textures show them from within, too (spec: geometry 12.4).
-        if (leaf.shape->keyword() == "blob") surface.interior_texture.reset();
-        // The run of surfaces must be contiguous, so these are not shared with others.
-        leaf.first_texture_surface = static_cast<uint32_t>(world_.surfaces.size());
-        for (const TexturePtr& texture : textures) {
-            Surface part = surface;
-            part.texture.layers = texture;
-            part.texture.world_from_texture = surface.uv_mapping ? Transform{} : own.world_from_parent;
-            world_.surfaces.push_back(std::move(part));
-        }
-    }
-    leaf.surface = surface_table_.add(std::move(surface));
-
-    leaf.mask = seen_by_trace;
-    if (!own.no_image) leaf.mask |= seen_by_image;
-    if (!own.no_reflection) leaf.mask |= seen_by_reflection;
-    if (!own.no_radiosity) leaf.mask |= seen_by_gather;
-    if (!own.no_shadow) leaf.mask |= opaque ? blocks_light : filters_light;
-    if (own.cutaway && !own.texture && textures.empty()) {
-        draft_->cuts.push_back(static_cast<uint32_t>(flat_.leaves.size()));
-    }
-    flat_.leaves.push_back(std::move(leaf));
-}
-
-/// Finds what a leaf without texture may show, once its solid is complete.
-void Flattener::cut_away(uint32_t index) {
-    Leaf& leaf = flat_.leaves[index];
-    Cutaway cut;
-    cut.root = deciding_root(flat_.solids, leaf.solid);
-    cut.nothing = leaf.surface;
-    bool opaque = true;
-    const size_t first = draft_->top_ends.empty() ? 0 : draft_->top_ends.back();
-    for (size_t i = first; i < flat_.leaves.size(); ++i) {
-        const Leaf& other = flat_.leaves[i];
-        if (std::ranges::binary_search(draft_->cuts, i)) continue;
-        if (!is_looked_at(flat_.solids, other.solid, cut.root)) continue;
-        Surface shown = world_.surfaces[leaf.surface];
-        shown.texture = world_.surfaces[other.surface].texture;
-        shown.uv_mapping = world_.surfaces[other.surface].uv_mapping;
-        opaque = opaque && surface_table_.opaque(shown);
-        cut.worn.emplace_back(other.solid, surface_table_.add(std::move(shown)));
-    }
-    std::ranges::sort(cut.worn);
-    if (!opaque && (leaf.mask & blocks_light)) leaf.mask ^= blocks_light | filters_light;
-    leaf.cutaway = static_cast<uint32_t>(flat_.cutaways.size());
-    flat_.cutaways.push_back(std::move(cut));
-}
-
-Surface Flattener::surface_of(const Object& object, const Inherited& own) {
-    Surface surface;
-    if (own.texture) {
-        surface.texture = *own.texture;
-    } else if (own.cutaway) {
-        // Where nothing that wears a texture contains the cut.
-        static const TexturePtr black = plain_texture();
-        surface.texture.layers = black;
-    } else {
-        surface.texture.layers = own.fallback_texture;
-    }
-    surface.interior_texture = own.interior_texture;
-    surface.uv_mapping = own.uv_mapping;
-    surface.double_illuminate = own.double_illuminate;
-    surface.where = object.where;
-    return surface;
-}
-
-uint32_t Flattener::interior_index(const Inherited& own, bool opaque) {
-    InteriorSlot& slot = draft_->slots[own.slot];
-    const auto make = [&](const InteriorPtr& interior, bool hollow) {
-        world_.interiors.push_back({interior ? *interior : Interior{}, hollow});
-        return static_cast<uint32_t>(world_.interiors.size() - 1);
-    };
-    if (!slot.interior && opaque) {
-        // No ray enters through an opaque surface, so identity does not matter and looks can be shared.
-        uint32_t& shared = draft_->shared_interior[own.hollow ? 1 : 0];
-        if (shared == no_surface) shared = make(nullptr, own.hollow);
-        if (slot.index == no_surface) slot.index = shared;
-        return shared;
-    }
-    const bool is_shared = slot.index != no_surface && (slot.index == draft_->shared_interior[0] ||
-                                                        slot.index == draft_->shared_interior[1]);
-    if (slot.index == no_surface || is_shared) slot.index = make(slot.interior, slot.hollow);
-    if (own.hollow) world_.interiors[slot.index].hollow = true;
-    return slot.index;
 }
 
 FlatGeometry Flattener::finish() {

@@ -1,0 +1,47 @@
+#pragma once
+#include "compile/flatten.h"
+
+namespace rb {
+
+/// An interior on its way into the world: made only when a surface needs an identity of its own.
+struct InteriorSlot {
+    InteriorPtr interior;
+    bool hollow = false;
+    uint32_t index = no_surface;
+};
+
+template <class T>
+const T* as(const Object& object) {
+    return std::get_if<T>(&object.geometry);
+}
+
+/// What a child receives from above (spec: geometry 3.3); everything is in world space.
+struct Flattener::Inherited {
+    Transform world_from_parent;
+    std::optional<WornTexture> texture;
+    bool uv_mapping = false;
+    std::optional<WornTexture> interior_texture;
+    bool cutaway = false;  ///< leaves without texture show what contains them
+    TexturePtr fallback_texture;
+    uint32_t slot = no_surface;
+    bool hollow = false;
+    bool no_shadow = false;
+    bool no_image = false;
+    bool no_reflection = false;
+    bool no_radiosity = false;
+    bool double_illuminate = false;
+    bool top = true;           ///< not inside a compound that stays whole
+    bool flags_fixed = false;  ///< inside an intersection: children's own visibility flags do nothing
+    bool image_fixed = false;  ///< inside a union that stays whole: children's no_image does nothing
+    bool surfaces = true;      ///< false for clips and bounds: they only answer inside tests
+};
+
+struct Flattener::Draft {
+    std::vector<InteriorSlot> slots;
+    uint32_t shared_interior[2] = {no_surface, no_surface};  ///< of opaque things without interior; by hollow
+    std::vector<uint32_t> top_ends;                          ///< behind the last leaf of each top object
+    size_t top_objects = 0;
+    std::vector<uint32_t> cuts;  ///< leaves of the present solid that show what contains them
+};
+
+}  // namespace rb
