@@ -188,14 +188,14 @@ public:
             const double b = (box.hi[i] - o) / d;
             narrow(root, std::min(a, b), std::max(a, b));
         }
-        if (root.near <= root.far) stack_[waiting_++] = root;
+        if (root.near <= root.far && !passes_by(root)) stack_[waiting_++] = root;
     }
 
     /// The next cell; false if none is left before `t_max`.
     bool next(double t_max, int& x, int& z) {
         while (waiting_ > 0) {
             const Node node = stack_[--waiting_];
-            if (node.near > t_max || passes_by(node)) continue;
+            if (node.near > t_max) continue;
             if (node.level == 0) {
                 x = node.x;
                 z = node.z;
@@ -224,44 +224,51 @@ private:
         return lo > range.hi || hi < range.lo || hi < floor_ || range.hi < floor_;
     }
 
-    /// Halves `node` at a grid line; returns how many halves the ray meets, far one first.
-    static size_t halves(const Node& node, int line, int last, double origin, double inverse,
-                         double direction, int Node::*place, std::array<Node, 2>& out) {
-        Node low = node;
-        Node high = node;
-        low.*place = 2 * (node.*place);
-        high.*place = low.*place + 1;
-        size_t count = 0;
-        if (line >= last) {
-            out[count++] = low;
-        } else if (direction == 0.0) {
-            if (origin >= line) out[count++] = high;
-            if (origin <= line) out[count++] = low;
-        } else {
-            const double t = (line - origin) * inverse;
-            const double error = rounding * std::abs(t);
-            Node& near = direction > 0.0 ? low : high;
-            Node& far = direction > 0.0 ? high : low;
-            if (t + error < near.far) near.far = t + error;
-            if (t - error > far.near) far.near = t - error;
-            if (far.near <= far.far) out[count++] = far;
-            if (near.near <= near.far) out[count++] = near;
+    /// A half of a node's squares in one direction, and the ray's way through its slab.
+    struct Half {
+        int place;
+        double near, far;
+    };
+    struct Halves {
+        std::array<Half, 2> half;  ///< the far one first
+        size_t count;
+    };
+
+    /// Halves `node`, which has number `place` in one direction, at a grid line of that direction.
+    static Halves halves(const Node& node, int place, int line, int last, double origin, double inverse,
+                         double direction) {
+        const Half low{2 * place, node.near, node.far};
+        if (line >= last) return {{low, low}, 1};
+        const Half high{2 * place + 1, node.near, node.far};
+        if (direction == 0.0) {
+            if (origin == line) return {{high, low}, 2};
+            return {{origin > line ? high : low, low}, 1};
         }
-        return count;
+        const double t = (line - origin) * inverse;
+        const double error = rounding * std::abs(t);
+        Half near = direction > 0.0 ? low : high;
+        Half far = direction > 0.0 ? high : low;
+        near.far = std::min(t + error, near.far);
+        far.near = std::max(t - error, far.near);
+        if (far.near > far.far) return {{near, near}, 1};
+        if (near.near > near.far) return {{far, far}, 1};
+        return {{far, near}, 2};
     }
 
     void push_parts(const Node& node) {
-        Node part = node;
-        --part.level;
-        const int half = 1 << part.level;
-        std::array<Node, 2> columns;
-        const size_t n = halves(part, (2 * node.x + 1) * half, grid_.columns() - 1, ray_.origin.x, inverse_x_,
-                                ray_.direction.x, &Node::x, columns);
-        for (size_t i = 0; i < n; ++i) {
-            std::array<Node, 2> squares;
-            const size_t m = halves(columns[i], (2 * node.z + 1) * half, grid_.rows() - 1, ray_.origin.z,
-                                    inverse_z_, ray_.direction.z, &Node::z, squares);
-            for (size_t k = 0; k < m; ++k) stack_[waiting_++] = squares[k];
+        const size_t level = node.level - 1;
+        const int half = 1 << level;
+        const Halves columns = halves(node, node.x, (2 * node.x + 1) * half, grid_.columns() - 1,
+                                      ray_.origin.x, inverse_x_, ray_.direction.x);
+        const Halves rows = halves(node, node.z, (2 * node.z + 1) * half, grid_.rows() - 1, ray_.origin.z,
+                                   inverse_z_, ray_.direction.z);
+        for (size_t i = 0; i < columns.count; ++i) {
+            const Half& c = columns.half[i];
+            for (size_t k = 0; k < rows.count; ++k) {
+                const Half& r = rows.half[k];
+                const Node part{level, c.place, r.place, std::max(c.near, r.near), std::min(c.far, r.far)};
+                if (part.near <= part.far && !passes_by(part)) stack_[waiting_++] = part;
+            }
         }
     }
 

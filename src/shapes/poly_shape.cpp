@@ -1,6 +1,7 @@
 #include "shapes/poly_shape.h"
 
 #include "math/roots.h"
+#include "shapes/poly_bounds.h"
 
 #include <algorithm>
 
@@ -54,7 +55,7 @@ size_t poly_index(int order, int i, int j, int k) {
 }
 
 PolyShape::PolyShape(std::string_view keyword, int order, std::vector<double> coefficients)
-    : keyword_(keyword), order_(order), c_(std::move(coefficients)) {
+    : keyword_(keyword), order_(order), c_(std::move(coefficients)), bounds_(poly_bounds(order_, c_)) {
     const double* c = c_.data();
     for (int i = order_; i >= 0; --i) {
         for (int j = order_ - i; j >= 0; --j) {

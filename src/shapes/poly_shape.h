@@ -16,7 +16,8 @@ public:
     PolyShape(std::string_view keyword, int order, std::vector<double> coefficients);
 
     std::string_view keyword() const override { return keyword_; }
-    Bounds bounds() const override { return Bounds::everything(); }
+    Bounds bounds() const override { return bounds_; }
+    Bounds language_extent() const override { return Bounds::everything(); }
     bool inside(const Vec3& p) const override { return value(p) <= 0.0; }
     Vec3 normal(const Vec3& p, const Crossing& at) const override;
     std::optional<TriangleMesh> tessellate(double) const override { return std::nullopt; }
@@ -40,6 +41,7 @@ private:
     std::string keyword_;
     int order_;
     std::vector<double> c_;
+    Bounds bounds_;
     std::vector<uint8_t> z_powers_;  ///< of each power of x and y: 1 + the highest power of z with them, or 0
 };
 
