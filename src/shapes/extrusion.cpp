@@ -57,7 +57,7 @@ Extrusion::Local Extrusion::put_on_parts(const ShapeRay& query) const {
         } else {
             touch_nearest(inf, ray);
         }
-    } else if (error > 0.0) {
+    } else if (error > 0.0 && is_near(query.ray.origin, query.origin_error)) {
         touch_nearest(error, ray);
     }
     if (error > 0.0) {
@@ -72,6 +72,11 @@ Extrusion::Local Extrusion::put_on_parts(const ShapeRay& query) const {
         ray.o.y = p.y * scale;
     }
     return ray;
+}
+
+/// False if the surface is surely farther from a point of the object's space.
+bool Extrusion::is_near(const Vec3& p, double distance) const {
+    return Bounds{box_.lo - distance, box_.hi + distance}.contains(p);
 }
 
 void Extrusion::touch_known_part(uint32_t part, Local& ray) const {
@@ -168,9 +173,9 @@ void Extrusion::cross(const Outline& outline, uint32_t first, const Local& ray,
         double t =
             std::abs(along_u) > std::abs(along_v) ? (o.z * p.x - o.x) / along_u : (o.z * p.y - o.y) / along_v;
         if (contact && !divides && piece == contact->piece && std::abs(w - contact->w) <= reach) t = 0.0;
-        walls.add({t, first + piece, {w, 0.0}});
+        walls.add({t, first + piece, w});
     });
-    if (divides) walls.add({0.0, first + contact->piece, {contact->w, 0.0}});
+    if (divides) walls.add({0.0, first + contact->piece, contact->w});
 }
 
 Vec3 Extrusion::normal(const Vec3& p, const Crossing& at) const {

@@ -90,22 +90,32 @@ private:
         uint32_t out_cap = cap1;
     };
     /// Crossings with the walls of one outline; always_inside: the ray runs along them within.
-    struct Walls {
-        std::array<Crossing, 16> first;
-        std::vector<Crossing> many;
-        size_t count = 0;
+    struct Wall {
+        double t;
+        uint32_t part;
+        double w;
+        Crossing crossing() const { return {t, part, {w, 0.0}}; }
+    };
+    class Walls {
+    public:
         bool always_inside = false;
 
-        void add(const Crossing& c) {
-            if (count == first.size() && many.empty()) many.assign(first.begin(), first.end());
-            if (count < first.size()) {
-                first[count] = c;
-            } else {
-                many.push_back(c);
-            }
-            ++count;
+        /// Keeps them in the order of t.
+        void add(const Wall& wall) {
+            if (count_ == few_.size() && many_.empty()) many_.assign(few_.begin(), few_.end());
+            if (count_ >= few_.size()) many_.emplace_back();
+            Wall* const all = many_.empty() ? few_.data() : many_.data();
+            size_t i = count_++;
+            for (; i > 0 && wall.t < all[i - 1].t; --i) all[i] = all[i - 1];
+            all[i] = wall;
         }
-        std::span<Crossing> all() { return many.empty() ? std::span(first.data(), count) : std::span(many); }
+        size_t size() const { return count_; }
+        const Wall& operator[](size_t i) const { return many_.empty() ? few_[i] : many_[i]; }
+
+    private:
+        std::array<Wall, 16> few_;
+        std::vector<Wall> many_;
+        size_t count_ = 0;
     };
 
     double height(uint32_t cap) const { return cap == cap0 ? swept_->h0 : swept_->h1; }
@@ -114,6 +124,7 @@ private:
         const Vec2 p{local.x, local.y};
         return swept_->conic ? p / local.z : p;
     }
+    bool is_near(const Vec3& p, double distance) const;
     Local put_on_parts(const ShapeRay& query) const;
     void touch_known_part(uint32_t part, Local& ray) const;
     void touch_nearest(double within, Local& ray) const;
@@ -125,28 +136,26 @@ private:
 
     /// Calls take(enters, leaves) for each piece of the line between the walls.
     template <class Take>
-    void each_interval(const Local& ray, Walls& walls, Take&& take) const {
+    void each_interval(const Local& ray, const Walls& walls, Take&& take) const {
         constexpr Crossing begin{-inf, cap0, Vec2{0.0}};
         constexpr Crossing end{inf, cap0, Vec2{0.0}};
         if (walls.always_inside) take(begin, end);
-        const std::span<Crossing> all = walls.all();
-        std::sort(all.begin(), all.end(), [](const Crossing& a, const Crossing& b) { return a.t < b.t; });
         // At the apex a conic sweep is a point: outside. From there on, or from far away, the sides
         // alternate.
         size_t apex = 0;
         if (swept_->conic && ray.d.z != 0.0) {
             const double t = -ray.o.z / ray.d.z;
-            while (apex < all.size() && all[apex].t < t) ++apex;
+            while (apex < walls.size() && walls[apex].t < t) ++apex;
         }
-        for (size_t i = apex; i < all.size(); i += 2) {
-            if (i + 1 < all.size()) {
-                take(all[i], all[i + 1]);
+        for (size_t i = apex; i < walls.size(); i += 2) {
+            if (i + 1 < walls.size()) {
+                take(walls[i].crossing(), walls[i + 1].crossing());
             } else if (swept_->conic) {
-                take(all[i], end);
+                take(walls[i].crossing(), end);
             }
         }
         for (size_t i = apex; i > 0; i -= std::min<size_t>(i, 2)) {
-            take(i > 1 ? all[i - 2] : begin, all[i - 1]);
+            take(i > 1 ? walls[i - 2].crossing() : begin, walls[i - 1].crossing());
         }
     }
 

@@ -158,19 +158,20 @@ Outline::Contact Outline::nearest(const Vec2& p, double within) const {
 int Outline::roots(const PlaneLine& line, bool zero_is_negative, uint32_t index, const Contact* contact,
                    std::array<double, 3>& w) const {
     const CurvePiece& piece = pieces_[index];
+    if (piece.degree == 1) {
+        if (contact) return 0;
+        const double a = line.side(piece.control[0]);
+        const double b = line.side(piece.control[1]);
+        if (is_negative(a, zero_is_negative) == is_negative(b, zero_is_negative)) return 0;
+        const double x = -a / (b - a);
+        w[0] = std::isnan(x) ? 0.5 : std::clamp(x, 0.0, 1.0);
+        return 1;
+    }
     std::array<double, 4> b{};
-    const auto is_negative = [&](double side) { return side < 0.0 || (side == 0.0 && zero_is_negative); };
-    int negative = 0;
-    for (int i = 0; i <= piece.degree; ++i) {
+    for (int i = 0; i <= piece.degree; ++i)
         b[static_cast<size_t>(i)] = line.side(piece.control[static_cast<size_t>(i)]);
-        negative += is_negative(b[static_cast<size_t>(i)]) ? 1 : 0;
-    }
-    // A Bezier curve lies in the hull of its control points.
-    if (negative == 0 || negative == piece.degree + 1) {
-        if (!contact) return 0;
-    }
-    bool start = is_negative(b[0]);
-    const bool end = is_negative(b[static_cast<size_t>(piece.degree)]);
+    bool start = is_negative(b[0], zero_is_negative);
+    const bool end = is_negative(b[static_cast<size_t>(piece.degree)], zero_is_negative);
     auto c = CurvePiece::powers(b, piece.degree);
     int degree = piece.degree;
     if (contact) {

@@ -103,13 +103,20 @@ public:
         // A line that runs along a straight edge meets the region, but not one along y (as measured).
         const bool touch_counts = line.b != 0.0;
         const bool zero_is_negative = (line.side(0.5 * (lo() + hi())) >= 0.0) == touch_counts;
-        tree_.visit([&](const FlatBox& box) { return !box.is_missed_by(line); },
-                    [&](uint32_t i) {
-                        const bool here = contact && contact->piece == i;
-                        std::array<double, 3> w;
-                        const int n = roots(line, zero_is_negative, i, here ? contact : nullptr, w);
-                        for (int k = 0; k < n; ++k) sink(i, w[static_cast<size_t>(k)]);
-                    });
+        const auto take = [&](uint32_t i) {
+            const bool here = contact && contact->piece == i;
+            if (!here && !may_cross(line, zero_is_negative, pieces_[i])) return;
+            std::array<double, 3> w;
+            const int n = roots(line, zero_is_negative, i, here ? contact : nullptr, w);
+            for (int k = 0; k < n; ++k) sink(i, w[static_cast<size_t>(k)]);
+        };
+        // The control points of a few pieces tell sooner than boxes around them.
+        constexpr size_t few = 8;
+        if (pieces_.size() <= few) {
+            for (uint32_t i = 0; i < pieces_.size(); ++i) take(i);
+        } else {
+            tree_.visit([&](const FlatBox& box) { return !box.is_missed_by(line); }, take);
+        }
     }
 
     /// Points on the boundary belong to the region on the side of smaller x (spec: geometry 13.4).
@@ -121,6 +128,20 @@ public:
 private:
     static constexpr size_t sample_count = 17;
 
+    /// The side of the line on which points on it count.
+    static bool is_negative(double side, bool zero_is_negative) {
+        return side < 0.0 || (side == 0.0 && zero_is_negative);
+    }
+    /// A Bezier curve lies in the hull of its control points: no crossing if all are on one side.
+    static bool may_cross(const PlaneLine& line, bool zero_is_negative, const CurvePiece& piece) {
+        const bool first = is_negative(line.side(piece.control[0]), zero_is_negative);
+        for (int i = 1; i <= piece.degree; ++i) {
+            if (is_negative(line.side(piece.control[static_cast<size_t>(i)]), zero_is_negative) != first)
+                return true;
+        }
+        return false;
+    }
+    /// For a piece that the line may cross, or that has the contact.
     int roots(const PlaneLine& line, bool zero_is_negative, uint32_t piece, const Contact* contact,
               std::array<double, 3>& w) const;
 

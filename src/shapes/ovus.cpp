@@ -1,6 +1,5 @@
 // ovus { B, T }   (manual 3.5.1.11): an egg about the y axis: a sphere of radius B around the origin, one of
 // radius T around <0, B, 0>, and an arc turned about the axis that touches both
-#include "shapes/convex_ray.h"
 #include "shapes/frame.h"
 #include "shapes/ray_shape.h"
 #include "shapes/registry.h"
@@ -29,21 +28,33 @@ public:
     double top() const { return t_; }
     double arc() const { return arc_; }
 
-    /// Signed distance, convex everywhere.
-    double distance(const Vec2& p) const {
+    /// Signed distance, convex everywhere, and its gradient.
+    struct Height {
+        double distance;
+        Vec2 outward;
+    };
+    Height height(const Vec2& p) const {
         const Arc a = arc_of(p - center_);
-        return glm::length(p - a.center) - a.radius;
-    }
-    /// Its gradient.
-    Vec2 outward(const Vec2& p) const {
-        const Vec2 n = p - arc_of(p - center_).center;
+        const Vec2 n = p - a.center;
         const double length = glm::length(n);
-        return length > 0.0 ? n / length : Vec2{0.0, 1.0};
+        return {length - a.radius, length > 0.0 ? n / length : Vec2{0.0, 1.0}};
     }
+    double distance(const Vec2& p) const { return height(p).distance; }
     /// How far the egg reaches along `n`.
     double support(const Vec2& n) const {
         const Arc a = arc_of(n);
         return glm::dot(n, a.center) + a.radius * glm::length(n);
+    }
+    /// A ball around the point at height middle() on the axis, touched by both poles, holds the egg.
+    double middle() const { return only_top_ ? b_ : 0.5 * t_; }
+    double reach() const {
+        constexpr double rounding = 1e-9;
+        return (1.0 + rounding) * (only_top_ ? t_ : b_ + 0.5 * t_);
+    }
+    /// True if the point of the surface nearest to `p` lies on the lower or upper sphere.
+    bool is_on_sphere(const Vec2& p, bool upper) const {
+        const Vec2 center = arc_of(p - center_).center;
+        return center.x == 0.0 && center.y == (upper ? b_ : 0.0);
     }
     double widest() const { return std::max({arc_ + center_.x, b_, t_}); }
 
@@ -109,23 +120,30 @@ public:
     void each_crossing(const ShapeRay& query, Sink&& sink) const {
         const Vec3 d = frame_.local_direction(query.ray.direction);
         const Vec3 o = frame_.local_point(query.ray.origin);
-        // Within a sphere around the egg, from the point nearest to its centre.
-        const double size = egg_.bottom() + egg_.top() + egg_.arc();
-        const double dd = glm::dot(d, d);
         const bool here = starts_here(query, o);
-        const double middle = here ? 0.0 : -glm::dot(o, d) / dd;
-        const Vec3 q = o + middle * d;
-        const double half = 2.0 * size / std::sqrt(dd);
-        if (!here && glm::dot(q, q) > size * size) return;
-        const double level = here ? egg_.distance(flat(o)) : 0.0;
-        const auto value = [&](double t) { return egg_.distance(flat(q + t * d)) - level; };
-        const auto slope = [&](double t) { return glm::dot(d, gradient(q + t * d)); };
-        const double from = here ? 0.0 : std::max(-half, -middle);
-        if (!(from < half)) return;
-        convex_roots(value, slope, from, half, here, [&](double t) {
-            sink(middle + t, 0u, Vec2{0.0});
-            return sink.reach() - middle;
-        });
+        const double inverse_dd = 1.0 / glm::dot(d, d);
+        const Vec3 from = o - Vec3{0.0, egg_.middle(), 0.0};
+        const double place = -glm::dot(from, d) * inverse_dd;
+        const Vec3 foot = from + place * d;
+        const double room = egg_.reach() * egg_.reach() - glm::dot(foot, foot);
+        const double half = std::sqrt(std::max(room, 0.0) * inverse_dd);
+        if (here) {
+            if (!(glm::dot(d, gradient(o)) < 0.0)) return;
+            const Line line{o, d, inverse_dd, egg_.distance(flat(o))};
+            double out = place + half;
+            meets(line, 1.0, out);
+            sink(out, 0u, Vec2{0.0});
+            return;
+        }
+        if (!(room > 0.0) || !(half > -place) || place - half > sink.reach()) return;
+        const Line line{foot + Vec3{0.0, egg_.middle(), 0.0}, d, inverse_dd, 0.0};
+        double in = -half;
+        if (!meets(line, -1.0, in)) return;
+        sink(place + in, 0u, Vec2{0.0});
+        if (sink.reach() <= place + in) return;
+        double out = half;
+        meets(line, 1.0, out);
+        sink(place + out, 0u, Vec2{0.0});
     }
 
     Vec3 normal(const Vec3& p, const Crossing&) const override {
@@ -168,10 +186,70 @@ public:
     }
 
 private:
+    /// A line in the frame; the egg is `level` larger.
+    struct Line {
+        Vec3 p;
+        Vec3 d;
+        double inverse_dd;
+        double level;
+        Vec3 at(double t) const { return p + t * d; }
+    };
+
+    /// Where the line enters (side -1) or leaves (1) the egg; false if it misses it. `t` is given outside.
+    bool meets(const Line& line, double side, double& t) const {
+        double start = t;
+        bool is_inside = false;
+        for (const bool upper : {false, true}) {
+            const double radius = (upper ? egg_.top() : egg_.bottom()) + line.level;
+            const Vec3 from = line.p - Vec3{0.0, upper ? egg_.bottom() : 0.0, 0.0};
+            const double middle = -glm::dot(from, line.d) * line.inverse_dd;
+            const Vec3 foot = from + middle * line.d;
+            const double chord = radius * radius - glm::dot(foot, foot);
+            if (!(chord >= 0.0)) continue;
+            const double end = middle + side * std::sqrt(chord * line.inverse_dd);
+            if (egg_.is_on_sphere(flat(line.at(end)), upper)) {
+                t = end;
+                return true;
+            }
+            if (!is_inside || end * side > start * side) start = end;
+            is_inside = true;
+        }
+        return meets_arc(line, side, is_inside, start, t);
+    }
+
+    /// On the middle arc, by Newton's method: on a convex function its first step from within goes beyond the
+    /// root and no later one passes it.
+    bool meets_arc(const Line& line, double side, bool is_inside, double start, double& t) const {
+        const double enough =
+            std::numeric_limits<double>::epsilon() * egg_.reach() * std::sqrt(line.inverse_dd);
+        const double outside = t;
+        t = start;
+        constexpr int most = 40;
+        for (int i = 0; i < most; ++i) {
+            const Vec3 p = line.at(t);
+            const Vec2 at = flat(p);
+            const Egg::Height height = egg_.height(at);
+            const double f = height.distance - line.level;
+            const double slope = glm::dot(line.d, gradient(p, at, height.outward));
+            if (i == 0 && is_inside) {
+                const double next = t - f / slope;
+                t = slope * side > 0.0 && f < 0.0 && next * side < outside * side ? next : outside;
+                continue;
+            }
+            if (f <= 0.0) break;
+            if (!(slope * side > 0.0)) return false;
+            t -= f / slope;
+            if (f <= enough * std::abs(slope)) break;
+        }
+        return true;
+    }
+
     static Vec2 flat(const Vec3& p) { return {std::sqrt(p.x * p.x + p.z * p.z), p.y}; }
     Vec3 gradient(const Vec3& p) const {
         const Vec2 at = flat(p);
-        const Vec2 n = egg_.outward(at);
+        return gradient(p, at, egg_.height(at).outward);
+    }
+    static Vec3 gradient(const Vec3& p, const Vec2& at, const Vec2& n) {
         const double share = at.x > 0.0 ? n.x / at.x : 0.0;
         return {share * p.x, n.y, share * p.z};
     }
@@ -179,6 +257,9 @@ private:
         if (query.starts_on_surface) return true;
         if (!(query.origin_error > 0.0)) return false;
         const double error = query.origin_error * std::max(frame_.radial_stretch, frame_.axial_stretch);
+        const Vec3 from = o - Vec3{0.0, egg_.middle(), 0.0};
+        const double reach = egg_.reach() + error;
+        if (glm::dot(from, from) > reach * reach) return false;
         return std::abs(egg_.distance(flat(o))) <= error;
     }
 

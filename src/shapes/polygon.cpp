@@ -28,6 +28,8 @@ class Polygon final : public RayShape<Polygon> {
 public:
     Polygon(std::shared_ptr<const Outline> outline, const Transform& object_from_local, const Bounds& extent)
         : outline_(std::move(outline)), object_from_local_(object_from_local), extent_(extent) {
+        const auto& r = object_from_local_.backward.row;
+        steepness_ = std::hypot(r[0].z, r[1].z, r[2].z);
         if (!outline_) return;
         for (const CurvePiece& piece : outline_->pieces()) {
             const Vec2& p = piece.start();
@@ -49,12 +51,11 @@ public:
     void each_crossing(const ShapeRay& query, Sink&& sink) const {
         if (query.starts_on_surface || !outline_) return;
         const Vec3 o = object_from_local_.inverse_point(query.ray.origin);
-        const auto& r = object_from_local_.backward.row;
-        const double steepness = std::hypot(r[0].z, r[1].z, r[2].z);
-        if (query.origin_error > 0.0 && std::abs(o.z) <= query.origin_error * steepness) return;
+        if (query.origin_error > 0.0 && std::abs(o.z) <= query.origin_error * steepness_) return;
         const Vec3 d = object_from_local_.inverse_direction(query.ray.direction);
         if (d.z == 0.0) return;
         const double t = -o.z / d.z;
+        if (!(t > query.t_min && t <= sink.reach())) return;
         if (outline_->contains({o.x + t * d.x, o.y + t * d.y})) sink(t, 0u, Vec2{0.0});
     }
 
@@ -95,6 +96,7 @@ private:
     Transform object_from_local_;
     Bounds extent_;
     Bounds box_;
+    double steepness_;  ///< how far local z changes along one unit of the object at most
 };
 
 bool same(const Vec3& a, const Vec3& b) {

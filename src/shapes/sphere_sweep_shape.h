@@ -1,27 +1,9 @@
 #pragma once
+#include "math/range_tree.h"
 #include "scene/shape.h"
-
-#include <glm/vec4.hpp>
+#include "shapes/sweep_piece.h"
 
 namespace rb {
-
-/// A ball: centre and, as w, radius.
-using Ball = glm::dvec4;
-
-/// One piece of a sweep: centre and radius are the same polynomials of a parameter w in [0, 1].
-struct SweepPiece {
-    std::array<Ball, 4> power{};    ///< lowest power first
-    std::array<Ball, 4> control{};  ///< of the same curve in Bezier form
-    bool is_straight = false;       ///< no powers above 1
-
-    /// From the control points of a Bezier curve.
-    static SweepPiece bezier(const std::array<Ball, 4>& control);
-    static SweepPiece straight(const Ball& a, const Ball& b);
-
-    Ball at(double w) const { return power[0] + w * (power[1] + w * (power[2] + w * power[3])); }
-    double largest_radius() const;
-    Bounds box() const;
-};
 
 /// The union of all balls along a curve. The part of a crossing is the piece, at.x the place w on it.
 ///
@@ -40,6 +22,7 @@ public:
     Bounds language_extent() const override { return extent_; }
     bool inside(const Vec3& p) const override;
     void crossings(const ShapeRay& ray, Crossings& out) const override;
+    bool any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const override;
     Vec3 normal(const Vec3& p, const Crossing& at) const override;
     ShapePtr transformed(const Transform& map) const override;
     std::optional<TriangleMesh> tessellate(double) const override { return std::nullopt; }
@@ -48,8 +31,21 @@ public:
 private:
     struct Start;
     std::optional<Start> start_of(const ShapeRay& ray) const;
+    double way_through(const Start& start, const RayFrame& frame) const;
+
+    /// Calls take(range) for the parts of pieces, as long as possible, that lie in bounds which `meets`
+    /// accepts.
+    template <class Meets, class Take>
+    void each_range(Meets&& meets, Take&& take) const;
+    /// The same for those that the ray may meet between t_min and t_max.
+    template <class Take>
+    void each_range_on(const ShapeRay& ray, double length, Take&& take) const;
+    /// False if `p` is surely outside.
+    bool may_hold(const Vec3& p) const;
 
     std::vector<SweepPiece> pieces_;
+    std::vector<SweepRange> ranges_;  ///< the pieces in short parts
+    RangeTree<SweepBound> tree_;
     Bounds bounds_;
     Bounds extent_;
 };
