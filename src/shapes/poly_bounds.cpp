@@ -159,15 +159,16 @@ Bounds poly_bounds(int order, std::span<const double> coefficients) {
     if (!std::isfinite(r)) return Bounds::everything();
     LeastValue value(terms);
     Bounds box{Vec3{-r}, Vec3{r}};
-    constexpr int most_rounds = 8;
-    for (int i = 0; i < most_rounds; ++i) {
+    // Finer cells would fit better, but take longer than most pictures gain: 8 times for each level.
+    constexpr int levels = 3;
+    bool settled = false;
+    while (!settled) {
         Bounds hull;
-        add_cells(value, box, 3, hull);
+        add_cells(value, box, levels, hull);
         // Never below zero, but for points that rounding decides.
         if (hull.is_empty()) return Bounds::everything();
-        const bool settled = hull.half_area() > 0.95 * box.half_area();
+        settled = hull.half_area() > 0.95 * box.half_area();
         box = hull;
-        if (settled) break;
     }
     return box;
 }
