@@ -118,6 +118,9 @@ struct ReadContext {
     /// The path of a font file; throws if there is none.
     std::string (*find_font)(const ReadContext& context, const std::string& name,
                              SourceRange where) = nullptr;
+    /// The bytes of a density file, shared by all that hold them; throws if there is none.
+    std::shared_ptr<const std::string> (*density_file)(const ReadContext& context, const std::string& name,
+                                                       SourceRange where) = nullptr;
     /// A number in the words of an error message, if it was written as a name or vector; else empty.
     std::string (*found_value)(const ReadContext& context, SourceRange where) = nullptr;
     bool unicode = false;  ///< the scene's charset is utf8 or sys

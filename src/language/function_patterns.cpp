@@ -120,6 +120,7 @@ FunctionPtr pattern_function(const Block& block, const ReadContext& context) {
     }
     while (take_parameter(in, pattern) || take_modifier(in, modifiers)) {
     }
+    check_parameters(in, pattern);
     in.finish();
     if (const auto* unknown = dynamic_cast<const UnsupportedPattern*>(pattern.get())) {
         context.diagnostics->unsupported(unknown->where,

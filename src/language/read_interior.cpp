@@ -184,6 +184,7 @@ ParsedOnlyPtr read_density(const Block& block, const ReadContext& context) {
             break;
         }
     }
+    check_parameters(in, pattern);
     in.finish();
     return parsed_only(block);
 }

@@ -89,6 +89,7 @@ void read_normal_body(BlockReader& in, Normal& normal) {
         if (take_parameter(in, normal.pattern)) continue;
         if (!take_modifier(in, normal.modifiers)) break;
     }
+    check_parameters(in, normal.pattern);
     if (normal.average && std::holds_alternative<std::monostate>(normal.map))
         in.fail("Average must have map.");
 }

@@ -13,19 +13,13 @@ namespace rb {
 
 namespace {
 
-/// Patterns of the language; what of these has no PatternKind is not drawn yet.
-constexpr std::array<std::string_view, 48> pattern_words{
-    "agate",  "aoi",        "average",         "boxed",   "bozo",     "brick",        "bump_map",
-    "bumps",  "cells",      "checker",         "crackle", "cubic",    "cylindrical",  "density_file",
-    "dents",  "facets",     "gradient",        "granite", "hexagon",  "image_map",    "image_pattern",
-    "julia",  "leopard",    "magnet",          "mandel",  "marble",   "material_map", "object",
-    "onion",  "pavement",   "pigment_pattern", "planar",  "quilted",  "radial",       "ripples",
-    "slope",  "spherical",  "spiral1",         "spiral2", "spotted",  "square",       "tiles",
-    "tiling", "triangular", "waves",           "wood",    "wrinkles", "potential"};
+/// Words of patterns that have no PatternKind.
+constexpr std::array<std::string_view, 6> other_pattern_words{"average",         "material_map", "object",
+                                                              "pigment_pattern", "tiles",        "potential"};
 
 bool is_pattern_word(std::string_view word) {
     return find_pattern(word) != nullptr ||
-           std::find(pattern_words.begin(), pattern_words.end(), word) != pattern_words.end();
+           std::ranges::find(other_pattern_words, word) != other_pattern_words.end();
 }
 
 TurbulenceWarp& classic(PatternModifiers& modifiers) {
@@ -183,7 +177,7 @@ PatternPtr skip_pattern(BlockReader& in) {
         return pattern;
     }
     in.skip_item();
-    while (in.at_number() || in.at_text() || in.at_word("df3") || in.at_word("interpolate")) skip_item(in);
+    while (in.at_number() || in.at_text()) skip_item(in);
     return pattern;
 }
 
@@ -313,17 +307,13 @@ bool take_parameter(BlockReader& in, PatternPtr& pattern) {
             return true;
         }
     }
-    if (!dynamic_cast<const UnsupportedPattern*>(pattern.get())) return false;
-    // Parameters of patterns that are not drawn yet, e.g. pavement's.
-    constexpr std::array<std::string_view, 9> words{"number_of_sides", "number_of_tiles", "pattern",
-                                                    "exterior",        "interior",        "form",
-                                                    "metric",          "interpolate",     "size"};
-    for (std::string_view word : words) {
-        if (!in.take_word(word)) continue;
-        while (in.at_number()) in.skip_item();
-        return true;
-    }
     return false;
+}
+
+void check_parameters(const BlockReader& in, const PatternPtr& pattern) {
+    const PatternKind* kind = pattern ? find_pattern(pattern->keyword()) : nullptr;
+    if (!kind || !kind->check) return;
+    if (std::string problem = kind->check(*pattern); !problem.empty()) in.fail(std::move(problem));
 }
 
 void UnsupportedPattern::evaluate(const PatternContext&, std::span<const Vec3>,

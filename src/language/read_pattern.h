@@ -43,5 +43,7 @@ bool at_pattern(const BlockReader& in);
 bool take_modifier(BlockReader& in, PatternModifiers& modifiers);
 /// Takes a parameter of the pattern itself.
 bool take_parameter(BlockReader& in, PatternPtr& pattern);
+/// To be called behind the last parameter: parameters that do not go together are an error.
+void check_parameters(const BlockReader& in, const PatternPtr& pattern);
 
 }  // namespace rb

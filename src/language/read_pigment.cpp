@@ -150,6 +150,7 @@ void read_pigment_body(BlockReader& in, Pigment& pigment) {
         }
         if (!take_modifier(in, pigment.modifiers)) break;
     }
+    if (const auto* pattern = std::get_if<PatternPtr>(&pigment.source)) check_parameters(in, *pattern);
     if (pigment.average && std::holds_alternative<std::monostate>(pigment.map)) {
         in.fail("Average must have map.");
     }

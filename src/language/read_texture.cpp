@@ -91,6 +91,7 @@ void read_patterned(BlockReader& in, TextureLayers& layers) {
                 if (!take_modifier(in, texture.modifiers)) break;
             }
         }
+        check_parameters(in, texture.pattern);
         if (texture.map.empty()) in.fail("Patterned texture must have texture_map.");
     }
     while (take_modifier(in, texture.modifiers)) {

@@ -32,6 +32,14 @@ ReadContext Session::context() {
         if (auto path = find_file(*c.session, name, SoughtFile::font, where)) return *path;
         throw missing_file(*c.session, name, SoughtFile::font, where, "Cannot open font file.");
     };
+    context.density_file = [](const ReadContext& c, const std::string& name, SourceRange where) {
+        const auto path = find_file(*c.session, name, SoughtFile::df3, where);
+        if (!path)
+            throw missing_file(*c.session, name, SoughtFile::df3, where,
+                               fmt::format("Cannot open density file {}.", name));
+        if (auto bytes = c.session->density_bytes(*path)) return bytes;
+        throw SceneError(where, fmt::format("Cannot read density file {}.", *path));
+    };
     context.found_value = [](const ReadContext& c, SourceRange where) {
         return found_value(*c.session, where);
     };
@@ -63,6 +71,16 @@ TokenFilePtr Session::tokens_of(const std::string& path) {
     TokenFilePtr tokens = lex(number, sources.text(number), words, lexing);
     files.emplace(path, tokens);
     return tokens;
+}
+
+std::shared_ptr<const std::string> Session::density_bytes(const std::string& path) {
+    std::weak_ptr<const std::string>& known = density_files[path];
+    if (auto bytes = known.lock()) return bytes;
+    std::optional<std::string> read = read_whole_file(path);
+    if (!read) return nullptr;
+    auto bytes = std::make_shared<const std::string>(std::move(*read));
+    known = bytes;
+    return bytes;
 }
 
 std::string Session::hint(std::string_view word) const {

@@ -67,6 +67,10 @@ struct Session {
     /// Lexes each file once.
     TokenFilePtr tokens_of(const std::string& path);
     std::map<std::string, TokenFilePtr> files;
+    /// The bytes of a file of density_file by its path, read once as long as somebody holds them; null: it
+    /// cannot be read.
+    std::shared_ptr<const std::string> density_bytes(const std::string& path);
+    std::map<std::string, std::weak_ptr<const std::string>> density_files;
     /// Names for which another file was taken, and said so.
     std::set<std::string> replaced_files;
 

@@ -17,6 +17,8 @@ struct PatternKind {
     /// For patterns whose own parameters may stand among the modifiers (`brick_size`, `control0`): takes the
     /// next parameter and returns the changed pattern, or null if the next item is not one of its parameters.
     PatternPtr (*read_parameter)(BlockReader& in, const PatternPtr& so_far) = nullptr;
+    /// What is wrong with the parameters together, once all have been taken; empty: nothing.
+    std::string (*check)(const Pattern& pattern) = nullptr;
     /// Number of list entries for patterns with a list of colours or textures (checker 2, hexagon 3); 0:
     /// continuous.
     int list_size = 0;

@@ -9,6 +9,7 @@ Scene scene_from(std::string_view text) {
     LoadOptions options;
     options.input_file = "statement";
     options.input_text = "#version 3.7; global_settings { assumed_gamma 1.0 }\n" + std::string(text);
+    options.library_paths = {RB_SOURCE_DIR "/scenes/textures"};
     options.images = std::make_shared<ImageStore>();
     SourceMap sources;
     Diagnostics diagnostics;
