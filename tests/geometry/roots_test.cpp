@@ -1,5 +1,7 @@
 #include "math/roots.h"
 
+#include "math/quick_roots.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -209,6 +211,40 @@ TEST(Roots, AnyDegreeObeysSignsAtZeroAndHugeRatios) {
               3);
     EXPECT_NEAR(roots[0], 1e-9, 1e-23);
     EXPECT_NEAR(roots[1], 1.0, 1e-8);
+}
+
+/// Some of the roots lie beyond [0, 1].
+template <size_t N>
+void expect_quick_roots_as_slow_ones(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> place(-0.5, 1.5);
+    int told = 0;
+    constexpr int tries = 2000;
+    for (int i = 0; i < tries; ++i) {
+        std::array<double, N + 1> c{1.0};
+        for (size_t k = 0; k < N; ++k) {
+            const double root = place(random);
+            for (size_t m = k + 1; m > 0; --m) c[m] -= root * c[m - 1];
+        }
+        std::array<double, N> quick;
+        std::array<double, N> slow;
+        const std::optional<size_t> n = QuickRoots<N>(c).search(quick);
+        if (!n) continue;
+        ++told;
+        ASSERT_EQ(*n, static_cast<size_t>(solve_polynomial(c, 0.0, 1.0, slow)));
+        for (size_t k = 0; k < *n; ++k) ASSERT_NEAR(quick[k], slow[k], 1e-6) << N;
+    }
+    EXPECT_GT(told, tries / 2) << N;
+}
+
+TEST(QuickRoots, AreThoseOfTheSlowTwinOrNone) {
+    std::mt19937_64 random(11);
+    expect_quick_roots_as_slow_ones<2>(random);
+    expect_quick_roots_as_slow_ones<4>(random);
+    expect_quick_roots_as_slow_ones<6>(random);
+    expect_quick_roots_as_slow_ones<10>(random);
+    std::array<double, 2> roots;
+    // A double root is not told.
+    EXPECT_FALSE(QuickRoots<2>({1, -1, 0.25}).search(roots).has_value());
 }
 
 }  // namespace
