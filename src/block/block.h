@@ -39,7 +39,7 @@ struct Material {
     InteriorPtr interior;
 };
 
-/// A statement that is parsed and checked but has no part in the scene yet (media, rainbow, ...); whoever
+/// A statement that is parsed and checked but has no part in the scene yet (media, density); whoever
 /// puts it into the scene reports it.
 struct ParsedOnly {
     std::string keyword;
@@ -56,7 +56,8 @@ using Thing = std::variant<std::monostate, ObjectPtr, TexturePtr, PigmentPtr, No
                            InteriorPtr, std::shared_ptr<const Material>, std::shared_ptr<const Camera>,
                            std::shared_ptr<const Transform>, std::shared_ptr<const ColorMap>, PigmentMapPtr,
                            NormalMapPtr, TextureMapPtr, SlopeMapPtr, std::shared_ptr<const Fog>,
-                           std::shared_ptr<const SkySphere>, FunctionPtr, ParsedOnlyPtr>;
+                           std::shared_ptr<const SkySphere>, std::shared_ptr<const Rainbow>, FunctionPtr,
+                           ParsedOnlyPtr>;
 
 /// "object identifier", "texture identifier", ...: the language's name of the kind.
 std::string kind_name(const Thing& thing);

@@ -60,6 +60,7 @@ struct ThingName {
     std::string operator()(const SlopeMapPtr&) const { return "slope_map identifier"; }
     std::string operator()(const std::shared_ptr<const Fog>&) const { return "fog identifier"; }
     std::string operator()(const std::shared_ptr<const SkySphere>&) const { return "sky_sphere identifier"; }
+    std::string operator()(const std::shared_ptr<const Rainbow>&) const { return "rainbow identifier"; }
     std::string operator()(const FunctionPtr& f) const {
         return f && f->result_count() > 1 ? "vector function identifier" : "float function identifier";
     }

@@ -14,6 +14,7 @@ World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnos
     world.background = scene.background;
     world.sky_sphere = scene.sky_sphere;
     world.fogs = scene.fogs;
+    world.rainbows = scene.rainbows;
     world.camera = scene.camera;
     Flattener flattener(world, scene.default_texture, diagnostics);
     flattener.reserve(scene.objects);

@@ -95,6 +95,7 @@ struct World {
     std::optional<Color> background;
     std::optional<SkySphere> sky_sphere;
     std::vector<Fog> fogs;
+    std::vector<Rainbow> rainbows;
     Camera camera;
     std::shared_ptr<const Geometry> geometry;
 };

@@ -42,10 +42,9 @@ SlopeMapPtr read_slope_map(const Block& block, const ReadContext& context);
 
 InteriorPtr read_interior(const Block& block, const ReadContext& context, const InteriorPtr& base);
 std::shared_ptr<const Material> read_material(const Block& block, const ReadContext& context);
-/// media, density, rainbow: checked, but not part of the scene yet.
+/// media, density: checked, but not part of the scene yet.
 ParsedOnlyPtr read_media(const Block& block, const ReadContext& context);
 ParsedOnlyPtr read_density(const Block& block, const ReadContext& context);
-ParsedOnlyPtr read_rainbow(const Block& block, const ReadContext& context);
 
 std::shared_ptr<const Transform> read_transform(const Block& block, const ReadContext& context);
 /// Takes one transformation if it is next.
@@ -57,6 +56,7 @@ void read_camera_draft(const Block& block, const ReadContext& context, CameraDra
                        bool edits_default);
 std::shared_ptr<const Camera> read_camera(const Block& block, const ReadContext& context);
 std::shared_ptr<const Fog> read_fog(const Block& block, const ReadContext& context);
+std::shared_ptr<const Rainbow> read_rainbow(const Block& block, const ReadContext& context);
 std::shared_ptr<const SkySphere> read_sky_sphere(const Block& block, const ReadContext& context);
 Color read_background(const Block& block, const ReadContext& context);
 void read_global_settings(Session& session, const Block& block);

@@ -1,4 +1,4 @@
-// background, fog, sky_sphere. Language spec 19.
+// background, fog, rainbow, sky_sphere. Language spec 19.
 #include "language/read.h"
 
 #include <fmt/format.h>
@@ -105,6 +105,83 @@ std::shared_ptr<const SkySphere> read_sky_sphere(const Block& block, const ReadC
     in.finish();
     if (sky->pigments.empty()) in.fail_at(block.where, "Empty sky_sphere statement.");
     return sky;
+}
+
+namespace {
+
+constexpr double degree = pi / 180;
+
+double rainbow_angle(BlockReader& in, const char* error) {
+    const SourceRange at = in.where();
+    const double angle = in.number();
+    if (!(angle >= 0 && angle <= 360)) in.fail_at(at, error);
+    return angle * degree;
+}
+
+/// What the statement itself says about the arc.
+struct ArcWords {
+    bool arc = false;
+    bool falloff = false;
+};
+
+bool take_rainbow_part(BlockReader& in, Rainbow& rainbow, ArcWords& given) {
+    if (in.take_word("direction")) {
+        rainbow.direction = in.vec3();
+    } else if (in.take_word("up")) {
+        rainbow.up = in.vec3();
+    } else if (in.take_word("angle")) {
+        rainbow.angle = in.number() * degree;
+    } else if (in.take_word("width")) {
+        rainbow.width = in.number() * degree;
+    } else if (in.take_word("distance")) {
+        rainbow.distance = in.number();
+    } else if (in.take_word("jitter")) {
+        rainbow.jitter = in.number();
+    } else if (in.take_word("arc_angle")) {
+        rainbow.arc_angle =
+            rainbow_angle(in, "Illegal arc angle in rainbow (Use value from 0 to 360 degrees).");
+        given.arc = true;
+    } else if (in.take_word("falloff_angle")) {
+        rainbow.falloff_angle =
+            rainbow_angle(in, "Illegal falloff angle in rainbow (Use value from 0 to 360 degrees).");
+        given.falloff = true;
+    } else if (in.at_block("color_map") || in.at_block("colour_map")) {
+        rainbow.color_map = read_color_map(in.block(in.peek_word()), in.context());
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void check(const BlockReader& in, const Rainbow& rainbow, const ArcWords& given) {
+    const double direction = glm::dot(rainbow.direction, rainbow.direction);
+    const double up = glm::dot(rainbow.up, rainbow.up);
+    if (direction == 0) in.fail_at(in.block_where(), "Rainbow's direction vector is zero.");
+    if (up == 0) in.fail_at(in.block_where(), "Rainbow's up vector is zero.");
+    const double along = glm::dot(rainbow.direction, rainbow.up);
+    if (along * along >= (1 - 1e-12) * direction * up) {
+        in.fail_at(in.block_where(), "Rainbow's up and direction vector are co-linear.");
+    }
+    if (given.falloff && rainbow.arc_angle < rainbow.falloff_angle) {
+        in.fail_at(in.block_where(), "Arc angle is smaller than falloff angle in rainbow.");
+    }
+}
+
+}  // namespace
+
+std::shared_ptr<const Rainbow> read_rainbow(const Block& block, const ReadContext& context) {
+    BlockReader in(block, context);
+    auto rainbow = std::make_shared<Rainbow>();
+    using Shared = std::shared_ptr<const Rainbow>;
+    if (in.at_thing<Shared>()) *rainbow = *in.thing<Shared>();
+    rainbow->where = block.where;
+    ArcWords given;
+    while (take_rainbow_part(in, *rainbow, given)) {
+    }
+    in.finish();
+    check(in, *rainbow, given);
+    if (given.arc && !given.falloff) rainbow->falloff_angle = rainbow->arc_angle;
+    return rainbow;
 }
 
 }  // namespace rb

@@ -62,8 +62,7 @@ void read_statement(Session& session, const Block& block) {
             session.warn(block.where, "Multiple sky_spheres: only the last one counts.");
         session.scene.sky_sphere = *read_sky_sphere(block, context);
     } else if (keyword == "rainbow") {
-        read_rainbow(block, context);
-        session.diagnostics.unsupported(block.where, "rainbow", "it is left out");
+        session.scene.rainbows.push_back(*read_rainbow(block, context));
     } else if (keyword == "media") {
         read_media(block, context);
         session.diagnostics.unsupported(block.where, "atmospheric media", "the air is clear");

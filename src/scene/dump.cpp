@@ -124,10 +124,7 @@ public:
             modifiers(indent + 1, p.modifiers);
         }
         flag(indent + 1, "uv_mapping", p.uv_mapping);
-        if (const auto* colors = std::get_if<ColorMap>(&p.map)) {
-            for (const auto& entry : *colors)
-                line(indent + 1, fmt::format("[{:.6g} {}]", entry.position, text(entry.value)));
-        }
+        if (const auto* colors = std::get_if<ColorMap>(&p.map)) color_map(indent + 1, *colors);
         if (const auto* children = std::get_if<BlendMap<PigmentPtr>>(&p.map)) {
             for (const auto& entry : *children) {
                 line(indent + 1, fmt::format("[{:.6g}]", entry.position));
@@ -135,6 +132,20 @@ public:
             }
         }
         if (p.quick_color) line(indent + 1, "quick_color " + text(*p.quick_color));
+    }
+
+    void color_map(int indent, const ColorMap& map) {
+        for (const auto& entry : map)
+            line(indent, fmt::format("[{:.6g} {}]", entry.position, text(entry.value)));
+    }
+
+    void rainbow(const Rainbow& r) {
+        line(0, fmt::format("rainbow direction {} up {} angle {:.9g} width {:.9g} distance {:.9g}",
+                            text(r.direction), text(r.up), r.angle, r.width, r.distance));
+        number(1, "jitter", r.jitter, 0);
+        number(1, "arc_angle", r.arc_angle, 360);
+        number(1, "falloff_angle", r.falloff_angle, 360);
+        if (r.color_map) color_map(1, *r.color_map);
     }
 
 private:
@@ -317,6 +328,7 @@ std::string dump(const Scene& scene) {
         d.line(0, fmt::format("fog {} distance {:.9g} type {} offset {:.9g} alt {:.9g} up {}",
                               text(fog.color), fog.distance, fog.type, fog.offset, fog.alt, text(fog.up)));
     }
+    for (const Rainbow& rainbow : scene.rainbows) d.rainbow(rainbow);
     for (const ObjectPtr& object : scene.objects) d.object(0, *object);
     if (scene.default_texture) {
         d.line(0, "default");

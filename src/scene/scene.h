@@ -43,6 +43,22 @@ struct Fog {
     double turb_depth = 0.5;
 };
 
+/// An arc of colours around a direction. Angles in radians.
+struct Rainbow {
+    SourceRange where;
+    Vec3 direction{0.0};
+    Vec3 up{0.0, 1.0, 0.0};  ///< towards the middle of the arc
+    double angle = 0;        ///< between the direction and the middle of the band
+    double width = 0;        ///< of the band
+    double distance = 1e7;   ///< within which its light comes in; 0: nothing is seen
+    double jitter = 0;       ///< in band widths, to either side
+    /// How far the arc goes around the direction, and where it begins to fade. So far off where none is
+    /// written that a falloff alone, which the language allows, hardly shows.
+    double arc_angle = 360;
+    double falloff_angle = 360;
+    std::shared_ptr<const ColorMap> color_map;  ///< null: nothing is seen
+};
+
 /// Everything a scene file says, evaluated: the contract between the front end and the renderer.
 struct Scene {
     GlobalSettings settings;
@@ -55,6 +71,7 @@ struct Scene {
     std::optional<Color> background;
     std::optional<SkySphere> sky_sphere;
     std::vector<Fog> fogs;
+    std::vector<Rainbow> rainbows;
     std::vector<ObjectPtr> objects;  ///< top-level statements in order; lights among them
     TexturePtr default_texture;      ///< in force at the end
 

@@ -43,8 +43,8 @@ double FogProgram::amount(const Fog& fog, const Ray& ray, double length) const {
     return std::exp(-length * density / fog.distance);
 }
 
-FogEffect FogProgram::along(const Ray& ray, double length) const {
-    FogEffect effect;
+AirEffect FogProgram::along(const Ray& ray, double length) const {
+    AirEffect effect;
     for (const Fog& fog : fogs_) {
         const auto a = std::max(static_cast<float>(amount(fog, ray, length)), fog.color.transmit);
         effect.attenuation *= a * (Rgb(1.0f - fog.color.filter) + fog.color.filter * fog.color.rgb());

@@ -5,7 +5,7 @@
 namespace rb {
 
 /// What the atmosphere does to light along a ray: `attenuation * light + added`.
-struct FogEffect {
+struct AirEffect {
     Rgb attenuation{1.0f};
     Rgb added{0.0f};
 };
@@ -16,7 +16,7 @@ public:
     FogProgram(const std::vector<Fog>& fogs, int noise_generator);
 
     bool empty() const { return fogs_.empty(); }
-    FogEffect along(const Ray& ray, double length) const;
+    AirEffect along(const Ray& ray, double length) const;
 
 private:
     double amount(const Fog& fog, const Ray& ray, double length) const;

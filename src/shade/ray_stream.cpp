@@ -121,7 +121,7 @@ void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     const PathRay& ray = state_.rays[ray_index];
     Rgb weight = ray.weight;
     float alpha = ray.alpha;
-    if (!program_.fog.empty()) pass_fog(ray, hit.t, weight, alpha);
+    if (program_.has_air()) pass_air(ray, hit.t, weight, alpha);
     const uint32_t surface = program_.leaf_surfaces[hit.leaf];
     if (surface != no_surface) {
         add_point(ray_index, hit, program_.surfaces[surface], weight, alpha);
@@ -162,12 +162,16 @@ void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgr
     state_.uv[index] = program_.geometry.uv(hit);
 }
 
-void RayStream::pass_fog(const PathRay& ray, double length, Rgb& weight, float& alpha) {
+void RayStream::pass_air(const PathRay& ray, double length, Rgb& weight, float& alpha) {
     if (!state_.in_the_open(program_.world, ray.inside)) return;
-    const FogEffect effect = program_.fog.along(ray.ray, length);
-    state_.slots[ray.slot].rgb += weight * effect.added;
-    weight *= effect.attenuation;
-    alpha *= grey(effect.attenuation);
+    const auto pass = [&](const AirEffect& effect) {
+        state_.slots[ray.slot].rgb += weight * effect.added;
+        weight *= effect.attenuation;
+        alpha *= grey(effect.attenuation);
+    };
+    // From the eye outward: rainbows stand behind the fog, however near it ends.
+    pass(program_.fog.along(ray.ray, length));
+    if (!program_.rainbow.empty()) pass(program_.rainbow.along(ray.ray, length, ray.seed));
 }
 
 void RayStream::shade_sky(std::span<const uint32_t> misses) {
@@ -189,7 +193,7 @@ void RayStream::shade_sky(std::span<const uint32_t> misses) {
         const SkyLight& seen = light.empty() ? program_.sky.plain(shows_alpha[i] != 0) : light[i];
         Rgb weight = ray.weight;
         float alpha = ray.alpha;
-        if (!program_.fog.empty()) pass_fog(ray, std::min(endless, state_.reach), weight, alpha);
+        if (program_.has_air()) pass_air(ray, std::min(endless, state_.reach), weight, alpha);
         LightSlot& slot = state_.slots[ray.slot];
         slot.rgb += weight * seen.rgb;
         slot.transmit += alpha * seen.transmit;

@@ -22,7 +22,7 @@ private:
     void shade_sky(std::span<const uint32_t> misses);
     void shade_hits();
     void fill_samples();
-    void pass_fog(const PathRay& ray, double length, Rgb& weight, float& alpha);
+    void pass_air(const PathRay& ray, double length, Rgb& weight, float& alpha);
     void finish(std::span<const CameraRay> rays, std::span<Radiance> out);
 
     const ShadingProgram& program_;

@@ -12,7 +12,8 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
       patterns{world_to_shade.settings.noise_generator, world_to_shade.settings.number_of_waves},
       before_37(world_to_shade.effective_version < 370),
       sky(world_to_shade.sky_sphere, world_to_shade.background, patterns, before_37),
-      fog(chosen.quality >= 9 ? world_to_shade.fogs : std::vector<Fog>{}, patterns.noise_generator) {
+      fog(chosen.quality >= 9 ? world_to_shade.fogs : std::vector<Fog>{}, patterns.noise_generator),
+      rainbow(chosen.quality >= 9 ? world_to_shade.rainbows : std::vector<Rainbow>{}) {
     options.quality = std::clamp(options.quality, 0, 9);
     add_surfaces();
     add_lights();
@@ -24,7 +25,7 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
 
 void ShadingProgram::add_surfaces() {
     TextureCompiler compiler({patterns, world.settings.ambient_light, options.quality});
-    tracks_interiors = !fog.empty() || !options.skip_unneeded;
+    tracks_interiors = has_air() || !options.skip_unneeded;
     needs_samples = !options.skip_unneeded;
     std::unordered_map<const TextureLayers*, uint32_t> known;
     const auto compiled = [&](const WornTexture& worn) {

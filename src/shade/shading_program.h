@@ -3,6 +3,7 @@
 #include "shade/fog.h"
 #include "shade/integrator.h"
 #include "shade/light_program.h"
+#include "shade/rainbow.h"
 #include "shade/sky.h"
 #include "shade/texture_program.h"
 
@@ -43,6 +44,7 @@ struct ShadingProgram {
     uint32_t sample_count = 0;
     SkyProgram sky;
     FogProgram fog;
+    RainbowProgram rainbow;
 
     uint8_t shadow_mask = 0;  ///< which kinds of leaves shadow rays can meet at all
     bool tracks_interiors = false;
@@ -53,6 +55,9 @@ struct ShadingProgram {
         return ior == 0.0 ? 1.0 : ior;
     }
     const SurfaceProgram& surface_of(uint32_t leaf) const { return surfaces[geometry.leaf(leaf).surface]; }
+
+    /// Something in the air changes light on its way outside of solids.
+    bool has_air() const { return !fog.empty() || !rainbow.empty(); }
 
 private:
     void add_surfaces();

@@ -71,12 +71,12 @@ TEST_F(Check, NothingMissing) {
 
 TEST_F(Check, ListsWhatIsMissing) {
     const Outcome done = check(
-        "sphere { 0, 1 interior { media { emission 1 } } hollow }\nrainbow { direction z angle 30 }\n"
-        "rainbow { direction z angle 31 }");
+        "sphere { 0, 1 interior { media { emission 1 } } hollow }\nmedia { emission 1 }\n"
+        "media { emission 2 }");
     EXPECT_EQ(done.code, 1);
-    EXPECT_TRUE(has(done.out, "scene.pov:3:1: rainbow: it is left out (2 places)\n")) << done.out;
+    EXPECT_TRUE(has(done.out, "scene.pov:3:1: atmospheric media: the air is clear (2 places)\n")) << done.out;
     EXPECT_TRUE(has(done.out, "scene.pov:2:15: media: the interior is clear\n")) << done.out;
-    EXPECT_FALSE(has(done.err, "rainbow")) << done.err;
+    EXPECT_FALSE(has(done.err, "media")) << done.err;
 }
 
 TEST_F(Check, ErrorsAreShown) {
