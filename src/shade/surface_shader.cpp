@@ -88,7 +88,8 @@ void SurfaceShader::shade_children(const TextureProgram& texture, const Rows& ro
     const auto values = memory.take<double>(rows.size());
     map.field.values(moved, values);
     const BlendParts parts = split_by_entry(map.positions, values, memory);
-    for (size_t k = 0; k < map.children.size(); ++k) {
+    // The later of two entries first, as its normals are what the patterns of the other one see (slope).
+    for (size_t k = map.children.size(); k-- > 0;) {
         const auto chosen = parts.rows_of(k);
         if (chosen.empty()) continue;
         Scratch::Scope part_memory(thread_scratch());

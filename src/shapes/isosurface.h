@@ -53,6 +53,9 @@ private:
     class Search;
     bool enters_container(const ShapeRay& query, Span& span) const;
     uint32_t start_part(const ShapeRay& query) const;
+    /// True if the function's value at a crossing, placed with this error, is not the threshold: it jumps
+    /// there.
+    bool is_jump(double value, double error) const;
     Vec3 gradient(const Vec3& p) const;
     double side_distance(const Vec3& p, uint32_t& part) const;
     template <class Take>

@@ -223,8 +223,9 @@ void Isosurface::each_crossing(const ShapeRay& query, Take&& take) const {
     if (!enters_container(query, span)) return;
     const uint32_t start = start_part(query);
     // On the function's surface its value there counts as the threshold, so that the root is exactly at the
-    // origin.
-    const double level = start == on_function ? data_.value(query.ray.origin) : 0.0;
+    // origin; but where the function jumps, its value is that of one side.
+    double level = start == on_function ? data_.value(query.ray.origin) : 0.0;
+    if (is_jump(level, query.origin_error)) level = 0.0;
     const Search search(*this, query, level);
     double a = std::max(span.enter, 0.0);
     bool on_side = false;
@@ -279,13 +280,22 @@ bool Isosurface::closest(const ShapeRay& query, const CrossingFilter* filter, Cr
     return found;
 }
 
+bool Isosurface::is_jump(double value, double error) const {
+    constexpr double rounding = 1e-9;
+    return std::abs(value) > data_.max_gradient * (10.0 * error + rounding * data_.size());
+}
+
 Vec3 Isosurface::gradient(const Vec3& p) const {
     const double f = data_.value(p);
+    // Across a jump, whichever side of it rounding has put the point on.
+    const bool jumps = is_jump(f, 0.0);
     Vec3 n;
     for (int i = 0; i < 3; ++i) {
-        Vec3 q = p;
-        q[i] += data_.accuracy;
-        n[i] = data_.value(q) - f;
+        Vec3 after = p;
+        Vec3 before = p;
+        after[i] += data_.accuracy;
+        before[i] -= data_.accuracy;
+        n[i] = data_.value(after) - (jumps ? data_.value(before) : f);
     }
     return n;
 }

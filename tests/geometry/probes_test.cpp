@@ -180,6 +180,16 @@ TEST(Probes, P40IsosurfaceContainer) {
     o.hits({.3, .4, -5}, z, {.3, .4, -.5}, {0, 0, -1});
 }
 
+// The reference, whose point lies behind the jump, takes (1, 0, 0) for the normals towards -y and -z.
+TEST(Probes, IsosurfaceOfAFunctionThatJumps) {
+    Probe o("isosurface{function{select(max(abs(x-.1),abs(y),abs(z))-1,-1,1)} contained_by{box{-2,2}}}");
+    o.hits({.3, .4, -5}, z, {.3, .4, -1}, {0, 0, -1});
+    o.hits({.3, .4, 5}, -z, {.3, .4, 1}, {0, 0, 1});
+    o.hits({-5, .4, .3}, x, {-.9, .4, .3}, {-1, 0, 0});
+    o.hits({.3, 5, .3}, -y, {.3, 1, .3}, {0, 1, 0});
+    o.misses({.3, 1.1, -5}, z);
+}
+
 TEST(Probes, P57IsosurfaceInADifference) {
     Probe o(
         "difference{sphere{0,1} isosurface{function{x} contained_by{box{<-2,-2,-2>,<2,2,2>}} "
