@@ -28,6 +28,13 @@ Complex power(const Complex& z, int exponent) {
     return result;
 }
 
+/// Without the scaling of std::complex, whose other rounding fifty iterations make visible.
+Complex quotient(const Complex& a, const Complex& b) {
+    const double size = b.real() * b.real() + b.imag() * b.imag();
+    return {(a.real() * b.real() + a.imag() * b.imag()) / size,
+            (a.imag() * b.real() - a.real() * b.imag()) / size};
+}
+
 class Fractal final : public PointPattern<Fractal> {
 public:
     explicit Fractal(const FractalShape& chosen) : shape(chosen) {}
@@ -63,11 +70,11 @@ private:
         if (shape.magnet == 0) return power(z, shape.exponent) + c;
         Complex ratio;
         if (shape.magnet == 1) {
-            ratio = (z * z + c - 1.0) / (2.0 * z + c - 2.0);
+            ratio = quotient(z * z + c - 1.0, 2.0 * z + c - 2.0);
         } else {
             const Complex product = (c - 1.0) * (c - 2.0);
-            ratio = (z * z * z + 3.0 * (c - 1.0) * z + product) /
-                    (3.0 * z * z + 3.0 * (c - 2.0) * z + product + 1.0);
+            ratio = quotient(z * z * z + 3.0 * (c - 1.0) * z + product,
+                             3.0 * z * z + 3.0 * (c - 2.0) * z + product + 1.0);
         }
         return ratio * ratio;
     }
