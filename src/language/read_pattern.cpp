@@ -69,6 +69,19 @@ Warp take_repeat(BlockReader& in) {
     }
 }
 
+/// A black hole that repeats must lie within its block.
+void make_room(BlackHoleWarp& warp, Diagnostics& diagnostics, SourceRange at) {
+    for (int k = 0; k < 3; ++k) {
+        if (warp.repeat[k] <= 0.0) continue;
+        warp.center[k] = std::max(warp.center[k], warp.radius);
+        const double least = warp.center[k] + warp.radius + warp.turbulence[k];
+        if (warp.repeat[k] >= least) continue;
+        warp.repeat[k] = least;
+        diagnostics.warning(
+            at, fmt::format("Black Hole repeat vector {} too small; increased to {:g}.", "XYZ"[k], least));
+    }
+}
+
 Warp take_black_hole(BlockReader& in) {
     BlackHoleWarp warp;
     warp.center = in.vec3();
@@ -85,12 +98,9 @@ Warp take_black_hole(BlockReader& in) {
         } else if (in.at_word("repeat") || in.at_word("turbulence")) {
             const bool repeat = in.take_word("repeat");
             if (!repeat) in.take_word("turbulence");
+            const SourceRange at = in.where();
             (repeat ? warp.repeat : warp.turbulence) = in.vec3();
-            for (int k = 0; k < 3; ++k) {
-                if (warp.repeat[k] <= 0.0) continue;
-                warp.center[k] = std::max(warp.center[k], warp.radius);
-                warp.repeat[k] = std::max(warp.repeat[k], warp.center[k] + warp.radius + warp.turbulence[k]);
-            }
+            make_room(warp, in.diagnostics(), at);
         } else {
             return warp;
         }

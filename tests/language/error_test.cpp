@@ -13,6 +13,18 @@ std::string first_error(std::string_view text) {
     return reading.errors.empty() ? "" : reading.errors.front().substr(3);
 }
 
+TEST(Warning, BlackHolesMustFitTheirBlocks) {
+    const auto warnings = [](const std::string& repeat) {
+        const std::string hole = "warp { black_hole 0.5, 0.7 repeat " + repeat + " turbulence 0.3 }";
+        return read_scene("#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 pigment { bozo " +
+                          hole + " } }")
+            .warnings;
+    };
+    EXPECT_TRUE(warnings("x * 1.8").empty());
+    ASSERT_EQ(warnings("y * 1.5").size(), 1u);
+    EXPECT_EQ(warnings("y * 1.5").front(), "Black Hole repeat vector Y too small; increased to 1.7.");
+}
+
 TEST(Error, WordsOfTheReference) {
     EXPECT_EQ(first_error("box{0,1 foo}"),
               "No matching } in 'box', undeclared identifier 'foo' found instead");
