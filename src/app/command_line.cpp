@@ -119,6 +119,12 @@ private:
         app.add_option("--tessellation-error", settings.tessellation_error,
                        "largest error of a mesh, in pixels")
             ->check(CLI::PositiveNumber);
+        const std::map<std::string, InstanceMode> sharing{{"auto", InstanceMode::automatic},
+                                                          {"always", InstanceMode::always},
+                                                          {"never", InstanceMode::never}};
+        app.add_option("--instances", settings.instances,
+                       "auto, always or never: whether copies of a compound share its surfaces; same picture")
+            ->transform(CLI::CheckedTransformer(sharing));
         const std::map<std::string, DumpStage> stages{
             {"tokens", DumpStage::tokens}, {"blocks", DumpStage::blocks}, {"scene", DumpStage::scene}};
         app.add_option("--dump", settings.dump, "print tokens, blocks or scene instead of rendering")

@@ -69,6 +69,7 @@ CompileOptions compile_options(const Settings& settings) {
     options.image_height = settings.height;
     options.threads = settings.threads;
     options.brute_force = settings.brute_force;
+    options.instances = settings.instances;
     return options;
 }
 

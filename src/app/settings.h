@@ -94,6 +94,7 @@ struct Settings {
     double tessellation_error = 0.05;
     bool skip_unneeded = true;
     bool brute_force = false;
+    InstanceMode instances = InstanceMode::automatic;
     /// Tokens that a scene may take before it counts as a loop without end; minutes of parsing.
     uint64_t max_parse_steps = 10'000'000'000;
     bool strict = false;                   ///< no leniency with files and trifles of the language

@@ -17,6 +17,10 @@ World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnos
     world.rainbows = scene.rainbows;
     world.camera = scene.camera;
     Flattener flattener(world, scene.default_texture, diagnostics);
+    const bool tessellates = options.geometry == GeometryMode::tessellate;
+    CompoundStore compounds(scene.objects, tessellates ? InstanceMode::never : options.instances,
+                            options.brute_force);
+    flattener.share(compounds);
     flattener.reserve(scene.objects);
     for (ObjectPtr& object : scene.objects) {
         flattener.add(object);
@@ -25,7 +29,7 @@ World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnos
     scene.objects = {};
     FlatGeometry flat = flattener.finish();
     // `automatic` is exact: every shape so far has a closed form that is faster than its facets.
-    if (options.geometry == GeometryMode::tessellate) tessellate_leaves(flat, scene.camera, options);
+    if (tessellates) tessellate_leaves(flat, scene.camera, options);
     world.geometry = make_geometry(std::move(flat), options.brute_force);
     return world;
 }

@@ -8,30 +8,27 @@ namespace rb {
 
 namespace {
 
-bool splits(const Object& object) {
-    const auto* csg = as<Csg>(object);
-    return csg && csg->kind == CsgKind::union_ && csg->split_union && !object.inverse &&
-           object.clipped_by.empty() && object.bounded_by.empty();
-}
-
 /// How many records a scene's objects will need, clips and bounds left out.
 struct Counts {
     size_t shapes = 0;
     size_t compounds = 0;  ///< that stay whole
     size_t tops = 0;
+    size_t instances = 0;
 };
 
-void count(const Object& object, bool is_top, Counts& counts) {
+void count(const Object& object, bool is_top, const CompoundStore* store, Counts& counts) {
     const auto* csg = as<Csg>(object);
-    const bool is_split = is_top && splits(object);
+    const bool is_shared = is_top && store && store->shares(object);
+    const bool is_split = is_top && !is_shared && splits(object);
     if (!csg && !as<ShapePtr>(object)) return;
     if (is_top && !is_split) ++counts.tops;
-    if (!csg) {
+    if (!csg || is_shared) {
+        if (is_shared) ++counts.instances;
         ++counts.shapes;
         return;
     }
     if (!is_split) ++counts.compounds;
-    for (const ObjectPtr& child : *csg->children) count(*child, is_split, counts);
+    for (const ObjectPtr& child : *csg->children) count(*child, is_split, store, counts);
 }
 
 SolidNode::Kind node_kind(CsgKind kind, bool invert) {
@@ -70,6 +67,7 @@ bool casts_no_shadow(const Object& object) {
 /// The leaf's surface in the world, cut down to where its hits can count.
 Bounds cut_box(const SolidForest& solids, const Leaf& leaf) {
     Bounds box = leaf.shape->bounds();
+    if (box.is_empty()) return box;
     if (!leaf.in_world_space) {
         const auto forward = inverse_of(leaf.object_from_world);
         box = forward ? transformed(box, *forward) : Bounds::everything();
@@ -90,12 +88,13 @@ Flattener::~Flattener() = default;
 
 void Flattener::reserve(const std::vector<ObjectPtr>& objects) {
     Counts counts;
-    for (const ObjectPtr& object : objects) count(*object, true, counts);
+    for (const ObjectPtr& object : objects) count(*object, true, store_, counts);
     flat_.leaves.reserve(counts.shapes);
     flat_.solids.shapes.reserve(counts.shapes);
     flat_.solids.nodes.reserve(counts.shapes + counts.compounds);
     flat_.solids.children.reserve(counts.shapes + counts.compounds - counts.tops);
     flat_.tops.reserve(counts.tops);
+    flat_.instances.reserve(counts.instances);
     draft_->top_ends.reserve(counts.tops);
     draft_->slots.reserve(counts.tops);
 }
@@ -130,6 +129,10 @@ void Flattener::add_top(const Object& object, const Inherited& from) {
         diagnostics_.unsupported(object.where, missing->keyword, "the object is left out");
         return;
     }
+    if (!add_instance(object, from)) add_flattened(object, from);
+}
+
+void Flattener::add_flattened(const Object& object, const Inherited& from) {
     if (splits(object)) {
         const Inherited own = inherit(object, from);
         for (const ObjectPtr& child : *as<Csg>(object)->children) add_top(*child, own);
@@ -150,7 +153,7 @@ void Flattener::add_solid(const Object& object, const Inherited& from) {
     }
     draft_->cuts = std::move(outer_cuts);
     if (node == no_node) return;
-    flat_.tops.push_back({node, slot, {}});
+    flat_.tops.push_back({node, slot, no_surface, {}});
     draft_->top_ends.push_back(static_cast<uint32_t>(flat_.leaves.size()));
 }
 
@@ -164,12 +167,14 @@ Flattener::Inherited Flattener::inherit(const Object& object, const Inherited& f
     own.world_from_parent = then(object.world_from_object, from.world_from_parent);
     if (object.texture) {
         own.texture = placed(*object.texture);
+        own.texture_stays = object.uv_mapping;
         own.uv_mapping = object.uv_mapping;
     } else {
         own.uv_mapping = from.uv_mapping || object.uv_mapping;
     }
     if (object.interior_texture) {
         own.interior_texture = placed(*object.interior_texture);
+        own.interior_texture_stays = object.uv_mapping;
     } else {
         // Measured: without an interior_texture of its own a child takes the parent's uv flag in any case.
         own.uv_mapping = own.uv_mapping || from.uv_mapping;
@@ -302,13 +307,10 @@ FlatGeometry Flattener::finish() {
     }
     if (draft_->top_objects >= 3) put_first(infinite, draft_->top_ends, flat_.leaves, flat_.boxes);
     for (TopSolid& top : flat_.tops) {
-        const InteriorSlot& slot = draft_->slots[top.interior];
-        if (slot.index != no_surface) {
-            top.interior = slot.index;
-        } else {
-            world_.interiors.push_back({slot.interior ? *slot.interior : Interior{}, slot.hollow});
-            top.interior = static_cast<uint32_t>(world_.interiors.size() - 1);
-        }
+        if (top.instance != no_surface) continue;
+        InteriorSlot& slot = draft_->slots[top.interior];
+        if (slot.index == no_surface) slot.index = add_interior(slot.interior, slot.hollow);
+        top.interior = slot.index;
     }
     return std::move(flat_);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "compile/compound_store.h"
 #include "compile/cutaway.h"
 #include "compile/solids.h"
 #include "compile/surfaces.h"
@@ -8,7 +9,8 @@ namespace rb {
 /// A top-level object after the splitting of unions (spec: geometry 5.5).
 struct TopSolid {
     uint32_t node = 0;
-    uint32_t interior = 0;  ///< index into World::interiors
+    uint32_t interior = 0;           ///< index into World::interiors
+    uint32_t instance = no_surface;  ///< index into FlatGeometry::instances: it has the interiors
     Bounds box;  ///< of its surfaces; the language takes nothing outside for inside (a disc's half-space)
 };
 
@@ -19,6 +21,7 @@ struct FlatGeometry {
     SolidForest solids;
     std::vector<TopSolid> tops;
     std::vector<Cutaway> cutaways;
+    std::vector<Instance> instances;
 };
 
 /// Flattens objects into `world` (surfaces, interiors, lights) and the result. Leaves are ordered so that of
@@ -31,6 +34,11 @@ public:
 
     /// Declared objects asked by trace() keep their `bounded_by` (spec: geometry 6).
     void keep_all_bounds() { keep_all_bounds_ = true; }
+    /// Compounds that the store shares become instances.
+    void share(CompoundStore& store) {
+        store_ = &store;
+        list_ = store.new_list();
+    }
     /// Room for what add() will make of the objects.
     void reserve(const std::vector<ObjectPtr>& objects);
     void add(const ObjectPtr& object);
@@ -43,6 +51,13 @@ private:
     struct Draft;
 
     void add_top(const Object& object, const Inherited& from);
+    void add_flattened(const Object& object, const Inherited& from);
+    bool add_instance(const Object& object, const Inherited& from);
+    uint32_t needs_of(const Inherited& own, const Object& object);
+    CompoundPtr make_compound(const Object& object, const Inherited& own);
+    std::shared_ptr<const InstanceLook> look_of(CompoundStore::Entry& entry, const Inherited& own);
+    std::vector<uint32_t> interiors_of(const CompoundLooks& looks, const Inherited& own);
+    Surface surface_of_copy(const Surface& surface, const Inherited& own);
     void add_solid(const Object& object, const Inherited& from);
     void add_light(const Light& light, const Inherited& from);
     uint32_t build(const Object& object, const Inherited& from, bool invert, uint32_t parent);
@@ -54,6 +69,9 @@ private:
     Inherited inherit(const Object& object, const Inherited& from);
     Surface surface_of(const Object& object, const Inherited& own);
     uint32_t interior_index(const Inherited& own, bool opaque);
+    uint32_t add_interior(const InteriorPtr& interior, bool hollow);
+    uint32_t shared_interior(bool hollow);
+    uint32_t own_interior(uint32_t slot);
 
     World& world_;
     TexturePtr default_texture_;
@@ -62,6 +80,8 @@ private:
     FlatGeometry flat_;
     std::unique_ptr<Draft> draft_;
     bool keep_all_bounds_ = false;
+    CompoundStore* store_ = nullptr;
+    uint32_t list_ = 0;  ///< CompoundStore::new_list() of this one's surfaces
 };
 
 }  // namespace rb

@@ -30,6 +30,7 @@ void Flattener::add_leaf(const Object& object, const Inherited& own, uint32_t no
             Surface part = surface;
             part.texture.layers = texture;
             part.texture.world_from_texture = surface.uv_mapping ? Transform{} : own.world_from_parent;
+            part.texture_stays = surface.uv_mapping;
             world_.surfaces.push_back(std::move(part));
         }
     }
@@ -82,30 +83,44 @@ Surface Flattener::surface_of(const Object& object, const Inherited& own) {
         surface.texture.layers = own.fallback_texture;
     }
     surface.interior_texture = own.interior_texture;
+    surface.texture_stays = own.texture_stays;
+    surface.interior_texture_stays = own.interior_texture_stays;
     surface.uv_mapping = own.uv_mapping;
     surface.double_illuminate = own.double_illuminate;
     surface.where = object.where;
     return surface;
 }
 
+uint32_t Flattener::add_interior(const InteriorPtr& interior, bool hollow) {
+    world_.interiors.push_back({interior ? *interior : Interior{}, hollow});
+    return static_cast<uint32_t>(world_.interiors.size() - 1);
+}
+
+/// Of opaque things: no ray enters through them, so identity does not matter and looks can be shared.
+uint32_t Flattener::shared_interior(bool hollow) {
+    uint32_t& shared = draft_->shared_interior[hollow ? 1 : 0];
+    if (shared == no_surface) shared = add_interior(nullptr, hollow);
+    return shared;
+}
+
+uint32_t Flattener::own_interior(uint32_t index) {
+    InteriorSlot& slot = draft_->slots[index];
+    const bool is_shared = slot.index != no_surface && (slot.index == draft_->shared_interior[0] ||
+                                                        slot.index == draft_->shared_interior[1]);
+    if (slot.index == no_surface || is_shared) slot.index = add_interior(slot.interior, slot.hollow);
+    return slot.index;
+}
+
 uint32_t Flattener::interior_index(const Inherited& own, bool opaque) {
     InteriorSlot& slot = draft_->slots[own.slot];
-    const auto make = [&](const InteriorPtr& interior, bool hollow) {
-        world_.interiors.push_back({interior ? *interior : Interior{}, hollow});
-        return static_cast<uint32_t>(world_.interiors.size() - 1);
-    };
     if (!slot.interior && opaque) {
-        // No ray enters through an opaque surface, so identity does not matter and looks can be shared.
-        uint32_t& shared = draft_->shared_interior[own.hollow ? 1 : 0];
-        if (shared == no_surface) shared = make(nullptr, own.hollow);
+        const uint32_t shared = shared_interior(own.hollow);
         if (slot.index == no_surface) slot.index = shared;
         return shared;
     }
-    const bool is_shared = slot.index != no_surface && (slot.index == draft_->shared_interior[0] ||
-                                                        slot.index == draft_->shared_interior[1]);
-    if (slot.index == no_surface || is_shared) slot.index = make(slot.interior, slot.hollow);
-    if (own.hollow) world_.interiors[slot.index].hollow = true;
-    return slot.index;
+    const uint32_t index = own_interior(own.slot);
+    if (own.hollow) world_.interiors[index].hollow = true;
+    return index;
 }
 
 }  // namespace rb

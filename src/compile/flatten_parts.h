@@ -15,12 +15,21 @@ const T* as(const Object& object) {
     return std::get_if<T>(&object.geometry);
 }
 
+/// True for a union whose children become top-level objects of their own (spec: geometry 5.5).
+inline bool splits(const Object& object) {
+    const auto* csg = as<Csg>(object);
+    return csg && csg->kind == CsgKind::union_ && csg->split_union && !object.inverse &&
+           object.clipped_by.empty() && object.bounded_by.empty();
+}
+
 /// What a child receives from above (spec: geometry 3.3); everything is in world space.
 struct Flattener::Inherited {
     Transform world_from_parent;
     std::optional<WornTexture> texture;
     bool uv_mapping = false;
     std::optional<WornTexture> interior_texture;
+    bool texture_stays = false;  ///< it does not move with copies (Surface::texture_stays)
+    bool interior_texture_stays = false;
     bool cutaway = false;  ///< leaves without texture show what contains them
     TexturePtr fallback_texture;
     uint32_t slot = no_surface;

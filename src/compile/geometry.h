@@ -43,6 +43,10 @@ public:
     /// Surface coordinates for uv_mapping at a hit.
     Vec2 uv(const Hit& hit) const;
 
+    /// The surface that a hit on a leaf (and a member of it, if it is an instance) wears, own textures of
+    /// meshes aside.
+    uint32_t surface_of(uint32_t leaf, uint32_t member) const;
+
     /// The surfaces that a hit wears: one, or several on a mesh or blob with textures of its own.
     void surfaces_at(const Hit& hit, std::vector<SurfaceWeight>& out) const;
 

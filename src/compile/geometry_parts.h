@@ -39,6 +39,9 @@ struct Geometry::Parts {
     std::vector<ElementError> errors;  ///< by leaf
     uint8_t all_masks = 0;
 
+    /// Of a hit on a leaf, or on a member of it if it is an instance.
+    ElementError error_of(uint32_t leaf, uint32_t member) const;
+
     /// True if no ray of the bundle can meet a listed element, as far as that is easy to tell.
     bool passes_by(uint32_t element, const RayBundle& bundle) const {
         const PlaneTest& plane = planes[element];
@@ -50,6 +53,9 @@ struct Geometry::Parts {
         return element != no_leaf && element >= listed ? element - listed : BoxList::no_element;
     }
 };
+
+/// True if a box fits a box tree: finite, also in single precision.
+bool fits_tree(const Bounds& box);
 
 /// Sets up the queries over flattened solids. With `brute_force` every element is listed.
 std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_force);

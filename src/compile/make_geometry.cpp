@@ -20,12 +20,6 @@ ElementError error_of(const Leaf& leaf) {
             out * (size + largest_magnitude(leaf.object_from_world->row[3]))};
 }
 
-/// What fits the tree: finite, also in single precision.
-bool fits(const Bounds& box) {
-    constexpr double limit = 1e30;
-    return box.is_finite() && largest_magnitude(box.lo) < limit && largest_magnitude(box.hi) < limit;
-}
-
 Element element_of(const Leaf& leaf, uint32_t index, const SolidForest& solids) {
     Element e;
     e.shape = leaf.shape.get();
@@ -43,7 +37,7 @@ Element element_of(const Leaf& leaf, uint32_t index, const SolidForest& solids) 
 void set_ball(Element& e) {
     if (!e.in_world_space || !e.shape->fills_ball()) return;
     const Bounds box = e.shape->bounds();
-    if (!fits(box)) return;
+    if (!fits_tree(box)) return;
     e.center = Vec3f(box.center());
     const double moved = glm::length(box.center() - Vec3(e.center));
     constexpr double rounding = 1.0 + 1e-6;
@@ -51,6 +45,11 @@ void set_ball(Element& e) {
 }
 
 }  // namespace
+
+bool fits_tree(const Bounds& box) {
+    constexpr double limit = 1e30;
+    return box.is_finite() && largest_magnitude(box.lo) < limit && largest_magnitude(box.hi) < limit;
+}
 
 std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_force) {
     auto geometry = std::make_shared<Geometry>();
@@ -73,7 +72,7 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
         p.all_masks |= leaves[i].mask;
         const Bounds& box = p.flat.boxes[i];
         if (box.is_empty() && !brute_force) continue;
-        if (!brute_force && fits(box)) {
+        if (!brute_force && fits_tree(box)) {
             treed.push_back(i);
             items.push_back({box, leaves[i].mask});
         } else {

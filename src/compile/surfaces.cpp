@@ -54,7 +54,8 @@ bool equal(const Surface& a, const Surface& b) {
     if (a.interior_texture.has_value() != b.interior_texture.has_value()) return false;
     if (a.interior_texture && !equal(*a.interior_texture, *b.interior_texture)) return false;
     return equal(a.texture, b.texture) && a.interior == b.interior && a.uv_mapping == b.uv_mapping &&
-           a.double_illuminate == b.double_illuminate;
+           a.double_illuminate == b.double_illuminate && a.texture_stays == b.texture_stays &&
+           a.interior_texture_stays == b.interior_texture_stays;
 }
 
 }  // namespace
@@ -74,6 +75,8 @@ const SurfaceTable::Facts& SurfaceTable::facts(const TexturePtr& texture) {
     }
     return facts;
 }
+
+bool SurfaceTable::same_everywhere(const TexturePtr& texture) { return facts(texture).same_everywhere; }
 
 bool SurfaceTable::opaque(const TexturePtr& texture) { return facts(texture).opaque; }
 

@@ -18,6 +18,8 @@ public:
     /// No light passes such a texture (spec: shading 6.2, "opaque").
     bool opaque(const TexturePtr& texture);
     bool opaque(const Surface& surface);
+    /// Such a texture shows one colour and no place.
+    bool same_everywhere(const TexturePtr& texture);
 
 private:
     struct Facts {

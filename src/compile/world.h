@@ -26,6 +26,9 @@ struct Surface {
     uint32_t interior = 0;  ///< index into World::interiors
     bool uv_mapping = false;
     bool double_illuminate = false;
+    /// In a Compound: the texture does not move with its copies (uv_mapping).
+    bool texture_stays = false;
+    bool interior_texture_stays = false;
     SourceRange where;
 };
 
@@ -45,7 +48,11 @@ struct Leaf {
     uint32_t first_texture_surface = no_surface;
     uint32_t cutaway = no_surface;  ///< index into FlatGeometry::cutaways, or no_surface
 
-    bool has_one_surface() const { return first_texture_surface == no_surface && cutaway == no_surface; }
+    uint32_t instance = no_surface;  ///< index into FlatGeometry::instances, or no_surface
+
+    bool has_one_surface() const {
+        return first_texture_surface == no_surface && cutaway == no_surface && instance == no_surface;
+    }
 };
 
 /// An interior together with its identity; `hollow` belongs to the object that carries it.
@@ -64,6 +71,7 @@ struct RayQuery {
     uint32_t origin_leaf = no_leaf;   ///< the leaf on whose surface the ray starts
     double origin_error = 0;          ///< bound on the distance of the origin to the true surface
     uint32_t origin_part = any_part;  ///< Crossing::part of the hit it starts from; optional, sharpens meshes
+    uint32_t origin_member = 0;       ///< Crossing::member of the hit it starts from
     double t_min = 0;                 ///< nothing at or before it counts (the language's trace(): 1e-4)
 };
 
@@ -102,12 +110,16 @@ struct World {
 
 enum class GeometryMode { automatic, exact, tessellate };
 
+/// Which repeated compounds are kept once for all their copies: those where it saves much memory, all, none.
+enum class InstanceMode { automatic, always, never };
+
 struct CompileOptions {
     GeometryMode geometry = GeometryMode::automatic;
     double tessellation_error_pixels = 0.05;
     int image_width = 160;
     int image_height = 120;
     int threads = 0;
+    InstanceMode instances = InstanceMode::automatic;  ///< not with tessellated shapes
     bool brute_force = false;  ///< no kD-trees: every ray meets every leaf (the trees' slow twin)
 };
 

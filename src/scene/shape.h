@@ -20,9 +20,13 @@ constexpr uint32_t any_part = std::numeric_limits<uint32_t>::max();
 
 /// One crossing of a ray with a shape's surface, in the shape's own terms.
 struct Crossing {
-    double t = 0;       ///< ray parameter
-    uint32_t part = 0;  ///< face, side or segment: what the shape needs to find normal and uv again
-    Vec2 at{0.0};       ///< parameters on that part (barycentric for triangles); meaning belongs to the shape
+    constexpr Crossing() = default;
+    constexpr Crossing(double t_, uint32_t part_, const Vec2& at_) : t(t_), part(part_), at(at_) {}
+
+    double t = 0;         ///< ray parameter
+    uint32_t part = 0;    ///< face, side or segment: what the shape needs to find normal and uv again
+    uint32_t member = 0;  ///< which surface of a compound that is met as one shape; `part` and `at` are its
+    Vec2 at{0.0};  ///< parameters on that part (barycentric for triangles); meaning belongs to the shape
 };
 
 /// A ray's question to one shape, in the shape's space: which crossings have t_min < t <= t_max? `t_min` is

@@ -85,6 +85,7 @@ void RayStream::intersect() {
             query.mask = mask_of(ray);
             query.origin_leaf = ray.origin_leaf;
             query.origin_part = ray.origin_part;
+            query.origin_member = ray.origin_member;
             query.origin_error = ray.origin_error;
         }
         const bool all_miss = ahead && ahead->none();
@@ -150,6 +151,7 @@ void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgr
     kept.ray = ray_index;
     kept.leaf = hit.leaf;
     kept.part = hit.crossing.part;
+    kept.member = hit.crossing.member;
     kept.look = from_inside ? surface.interior_look : surface.look;
     kept.interior = surface.interior;
     kept.weight = weight;

@@ -81,6 +81,7 @@ PathRay& SecondaryRays::add_child(const HitPoint& hit, uint64_t purpose) {
     ray.ray.origin = hit.point;
     ray.origin_leaf = hit.leaf;
     ray.origin_part = hit.part;
+    ray.origin_member = hit.member;
     ray.origin_error = hit.error;
     ray.weight = hit.weight;
     ray.alpha = hit.alpha;

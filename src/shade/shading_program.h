@@ -54,7 +54,9 @@ struct ShadingProgram {
         const double ior = world.interiors[interior].interior.ior;
         return ior == 0.0 ? 1.0 : ior;
     }
-    const SurfaceProgram& surface_of(uint32_t leaf) const { return surfaces[geometry.leaf(leaf).surface]; }
+    const SurfaceProgram& surface_of(const Hit& hit) const {
+        return surfaces[geometry.surface_of(hit.leaf, hit.crossing.member)];
+    }
 
     /// Something in the air changes light on its way outside of solids.
     bool has_air() const { return !fog.empty() || !rainbow.empty(); }

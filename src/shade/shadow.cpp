@@ -108,7 +108,8 @@ Rgb ShadowTracer::along(const Light& light, const HitPoint& hit, RayQuery& query
     ++state_.counters.shadow;
     query.mask = program_.shadow_mask;
     if (!program_.geometry.occluded(query, blocker, candidates)) return color;
-    if (program_.geometry.leaf(blocker).mask & blocks_light) return Rgb(0.0f);
+    constexpr int either = blocks_light | filters_light;
+    if ((program_.geometry.leaf(blocker).mask & either) == blocks_light) return Rgb(0.0f);
     // Something clear is in the way; whatever is opaque behind or before it decides first.
     query.mask = blocks_light;
     uint32_t opaque_blocker = no_leaf;
@@ -129,7 +130,7 @@ Rgb ShadowTracer::filtered(const HitPoint& from, RayQuery query, Rgb color, cons
     while (program_.geometry.closest(query, hit, candidates)) {
         color *= filter_of(hit, query.ray.direction, hit.t, inside);
         if (is_black(color)) return Rgb(0.0f);
-        const uint32_t interior = program_.surface_of(hit.leaf).interior;
+        const uint32_t interior = program_.surface_of(hit).interior;
         const auto known = std::find(inside.begin(), inside.end(), interior);
         if (known != inside.end()) {
             inside.erase(known);
@@ -141,6 +142,7 @@ Rgb ShadowTracer::filtered(const HitPoint& from, RayQuery query, Rgb color, cons
         query.ray.origin = hit.point;
         query.origin_leaf = hit.leaf;
         query.origin_part = hit.crossing.part;
+        query.origin_member = hit.crossing.member;
         query.origin_error = hit.error;
     }
     return color;
@@ -153,7 +155,7 @@ Rgb ShadowTracer::filter_of(const Hit& hit, const Vec3& direction, double segmen
     for (const auto& [worn, share] : worn_) {
         filter += share * surface_filter(program_.surfaces[worn], hit, direction);
     }
-    const uint32_t own = program_.surface_of(hit.leaf).interior;
+    const uint32_t own = program_.surface_of(hit).interior;
     const Interior& interior = program_.world.interiors[own].interior;
     const bool leaves = std::find(inside.begin(), inside.end(), own) != inside.end();
     if (leaves && interior.fade_power > 0.0 && std::abs(interior.fade_distance) > 1e-10) {

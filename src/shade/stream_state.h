@@ -36,6 +36,7 @@ struct PathRay {
     double origin_error = 0;
     uint32_t origin_leaf = no_leaf;
     uint32_t origin_part = any_part;
+    uint32_t origin_member = 0;
     uint32_t slot = 0;     ///< where its light is added up
     Rgb weight{1.0f};      ///< factor for its light
     float alpha = 1;       ///< factor for its transmit
@@ -61,6 +62,7 @@ struct HitPoint {
     uint32_t ray = 0;  ///< index into the wave
     uint32_t leaf = no_leaf;
     uint32_t part = any_part;
+    uint32_t member = 0;
     uint32_t look = 0;
     uint32_t interior = 0;
     Rgb weight{1.0f};  ///< of its light, after the atmosphere on the way to the eye
@@ -106,6 +108,7 @@ struct StreamState {
     static RayQuery query_from(const HitPoint& hit, const Vec3& direction, double t_max, uint8_t mask) {
         RayQuery query{{hit.point, direction}, t_max, mask, hit.leaf, hit.error};
         query.origin_part = hit.part;
+        query.origin_member = hit.member;
         return query;
     }
 

@@ -62,6 +62,14 @@ TEST(CommandLine, Dithering) {
     EXPECT_THROW(parse({"a.pov", "+THX"}), UsageError);
 }
 
+TEST(CommandLine, Instances) {
+    EXPECT_EQ(parse({"a.pov"}).instances, InstanceMode::automatic);
+    EXPECT_EQ(parse({"a.pov", "--instances", "always"}).instances, InstanceMode::always);
+    EXPECT_EQ(parse({"a.pov", "--instances", "never"}).instances, InstanceMode::never);
+    EXPECT_THROW(parse({"a.pov", "--instances", "often"}), UsageError);
+    EXPECT_THROW(parse({"a.pov", "--instances"}), UsageError);
+}
+
 TEST(CommandLine, NoBenchmark) {
     EXPECT_THROW(parse({"-benchmark"}), UsageError);
     EXPECT_THROW(parse({"--benchmark", "+WT2"}), UsageError);

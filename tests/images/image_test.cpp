@@ -122,10 +122,23 @@ TEST_P(Invariance, ThreadsAndSkipsDoNotShow) {
     EXPECT_EQ(bytes_of(c, {"+FN16", "+WT2", "--brute-force"}), one) << "--brute-force";
 }
 
+/// Copies that share their surfaces look like copies with surfaces of their own: 8 bits, since rays in a
+/// copy's space are rounded otherwise.
+TEST(Instances, DoNotShow) {
+    for (const char* name : {"csg/instances", "csg/nested", "gallery/still_life"}) {
+        const ImageCase c = read_case(source_dir / "scenes" / (std::string(name) + ".pov"));
+        const std::string never = bytes_of(c, {"+A0.3", "--instances", "never"});
+        ASSERT_FALSE(never.empty());
+        EXPECT_EQ(bytes_of(c, {"+A0.3", "--instances", "always"}), never) << name;
+        EXPECT_EQ(bytes_of(c, {"+A0.3", "--instances", "always", "--brute-force"}), never) << name;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Invariance,
-                         testing::Values("gallery/still_life", "csg/nested", "shapes/mesh", "shapes/mesh2",
-                                         "lights/area_jitter", "antialias/method1", "antialias/method2",
-                                         "transparency/refraction", "textures/layered", "language/macros"),
+                         testing::Values("gallery/still_life", "csg/nested", "csg/instances", "shapes/mesh",
+                                         "shapes/mesh2", "lights/area_jitter", "antialias/method1",
+                                         "antialias/method2", "transparency/refraction", "textures/layered",
+                                         "language/macros"),
                          [](const auto& i) { return flat(i.param); });
 
 /// Meshes instead of exact shapes: the same picture within the error of the meshes.
