@@ -6,19 +6,6 @@
 
 namespace rb {
 
-namespace {
-
-TexturePtr blank_texture(float transmit) {
-    auto pigment = std::make_shared<Pigment>();
-    pigment->source = Color{0.0f, 0.0f, 0.0f, 0.0f, transmit};
-    Texture layer;
-    layer.pigment = std::move(pigment);
-    layer.finish = std::make_shared<Finish>();
-    return std::make_shared<TextureLayers>(TextureLayers{std::move(layer)});
-}
-
-}  // namespace
-
 Compound::Compound(std::shared_ptr<const Geometry> geometry, CompoundLooks looks)
     : geometry_(std::move(geometry)), looks_(std::move(looks)) {
     const FlatGeometry& flat = geometry_->parts->flat;
@@ -40,8 +27,8 @@ Compound::Compound(std::shared_ptr<const Geometry> geometry, CompoundLooks looks
 }
 
 const TexturePtr& Compound::texture_of_copy(bool opaque) {
-    static const TexturePtr solid = blank_texture(0.0f);
-    static const TexturePtr clear = blank_texture(1.0f);
+    static const TexturePtr solid = plain_texture({.source = Color{}});
+    static const TexturePtr clear = plain_texture({.source = Color{0, 0, 0, 0, 1}});
     return opaque ? solid : clear;
 }
 

@@ -88,7 +88,7 @@ CompoundPtr Flattener::make_compound(const Object& object, const Inherited& own)
     CompoundLooks looks;
     looks.surfaces = std::move(world.surfaces);
     looks.interiors = std::move(world.interiors);
-    std::ranges::copy(inner.draft_->shared_interior, looks.shared_interiors);
+    looks.shared_interiors = inner.draft_->shared_interior;
     looks.interior_of_copy = inner.draft_->slots.front().index;
     looks.top_objects = inner.draft_->top_objects;
     for (const Surface& s : looks.surfaces) {
@@ -99,8 +99,7 @@ CompoundPtr Flattener::make_compound(const Object& object, const Inherited& own)
             looks.same_in_all_copies = false;
     }
     for (uint32_t i = 0; i < looks.interiors.size(); ++i) {
-        if (i != looks.shared_interiors[0] && i != looks.shared_interiors[1])
-            looks.same_in_all_copies = false;
+        if (!looks.is_shared_interior(i)) looks.same_in_all_copies = false;
     }
     return std::make_shared<Compound>(make_geometry(std::move(flat), store_->brute_force()),
                                       std::move(looks));
@@ -138,7 +137,7 @@ std::vector<uint32_t> Flattener::interiors_of(const CompoundLooks& looks, const 
     interiors.reserve(looks.interiors.size());
     for (uint32_t i = 0; i < looks.interiors.size(); ++i) {
         const WorldInterior& there = looks.interiors[i];
-        if (i == looks.shared_interiors[0] || i == looks.shared_interiors[1]) {
+        if (looks.is_shared_interior(i)) {
             interiors.push_back(shared_interior(there.hollow));
         } else if (i == looks.interior_of_copy) {
             interiors.push_back(own_interior(own.slot));

@@ -47,8 +47,9 @@ struct Flattener::Inherited {
 
 struct Flattener::Draft {
     std::vector<InteriorSlot> slots;
-    uint32_t shared_interior[2] = {no_surface, no_surface};  ///< of opaque things without interior; by hollow
-    std::vector<uint32_t> top_ends;                          ///< behind the last leaf of each top object
+    /// Of opaque things without interior; by hollow.
+    std::array<uint32_t, 2> shared_interior{no_surface, no_surface};
+    std::vector<uint32_t> top_ends;  ///< behind the last leaf of each top object
     size_t top_objects = 0;
     std::vector<uint32_t> cuts;  ///< leaves of the present solid that show what contains them
 };

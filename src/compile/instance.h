@@ -11,12 +11,13 @@ struct CompoundLooks {
     std::vector<Surface>
         surfaces;  ///< in the Compound's space; Compound::texture_of_copy() where copies decide
     std::vector<WorldInterior> interiors;
-    uint32_t shared_interiors[2] = {no_surface,
-                                    no_surface};  ///< of opaque things without interior; by hollow
-    uint32_t interior_of_copy = no_surface;       ///< stands for the copy's own
+    std::array<uint32_t, 2> shared_interiors{no_surface, no_surface};  ///< of opaque things without interior
+    uint32_t interior_of_copy = no_surface;                            ///< stands for the copy's own
     size_t top_objects = 0;
     /// No texture of its own shows where it is, and no interior's identity matters.
     bool same_in_all_copies = true;
+
+    bool is_shared_interior(uint32_t i) const { return i == shared_interiors[0] || i == shared_interiors[1]; }
 };
 
 /// What the surfaces and interiors of a Compound are in one of its copies: indices into the lists of the

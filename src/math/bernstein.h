@@ -9,13 +9,21 @@ namespace rb {
 template <size_t Count>
 std::array<double, Count> bernstein_over_unit(const std::array<double, Count>& c) {
     constexpr size_t degree = Count - 1;
+    static constexpr auto shares = [] {
+        std::array<double, Count> inverse{};
+        double choose = 1.0;
+        for (size_t k = 0; k <= degree; ++k) {
+            inverse[k] = 1.0 / choose;
+            choose = choose * static_cast<double>(degree - k) / static_cast<double>(k + 1);
+        }
+        return inverse;
+    }();
     std::array<double, Count> b;
-    double choose = 1.0;
-    for (size_t k = 0; k <= degree; ++k) {
-        b[k] = c[degree - k] / choose;
-        choose *= static_cast<double>(degree - k) / static_cast<double>(k + 1);
-    }
+#pragma GCC unroll 16
+    for (size_t k = 0; k <= degree; ++k) b[k] = c[degree - k] * shares[k];
+#pragma GCC unroll 16
     for (size_t k = 1; k <= degree; ++k) {
+#pragma GCC unroll 16
         for (size_t i = degree; i >= k; --i) b[i] += b[i - 1];
     }
     return b;

@@ -1,5 +1,6 @@
 // Roots of polynomials of any degree; roots.cpp has the fast ones of low degree. See solve_polynomial() in
 // roots.h.
+#include "math/bernstein.h"
 #include "math/roots.h"
 #include "math/twofold.h"
 
@@ -30,26 +31,17 @@ constexpr auto binomials = [] {
     return table;
 }();
 
-/// True if the polynomial of degree N (lowest power first) surely has no root in [0, 1].
+/// True if the polynomial of degree N (highest power first) surely has no root in [0, 1].
 template <size_t N>
 bool misses_unit(const double* c) {
-    static constexpr auto shares = [] {
-        std::array<double, N + 1> inverse{};
-        for (size_t k = 0; k <= N; ++k) inverse[k] = 1.0 / binomials[N][k];
-        return inverse;
-    }();
-    std::array<double, N + 1> b;
+    std::array<double, N + 1> powers;
     double magnitude = 0.0;
-#pragma GCC unroll 8
+#pragma GCC unroll 16
     for (size_t k = 0; k <= N; ++k) {
-        b[k] = c[k] * shares[k];
+        powers[k] = c[k];
         magnitude += std::abs(c[k]);
     }
-#pragma GCC unroll 8
-    for (size_t k = 1; k <= N; ++k) {
-#pragma GCC unroll 8
-        for (size_t i = N; i >= k; --i) b[i] += b[i - 1];
-    }
+    const std::array<double, N + 1> b = bernstein_over_unit(powers);
     double least = b[0];
     double most = b[0];
 #pragma GCC unroll 8
@@ -70,16 +62,14 @@ constexpr auto misses_unit_of_degree = []<size_t... N>(std::index_sequence<N...>
 /// The same for parts of [-1, 1] that are not empty; false in doubt.
 bool misses(std::span<const double> c, double lo, double hi) {
     if (c.empty() || c.size() > quick_degree + 1 || lo < -1.0 || hi > 1.0) return false;
-    std::array<double, quick_degree + 1> low;
-    const auto any_side = [&](double sign) {
-        double power = 1.0;
-        for (size_t i = 0; i < c.size(); ++i) {
-            low[i] = power * c[c.size() - 1 - i];
-            power *= sign;
-        }
-        return misses_unit_of_degree[c.size() - 1](low.data());
+    const size_t degree = c.size() - 1;
+    const auto unit = misses_unit_of_degree[degree];
+    const auto misses_negative_unit = [&] {
+        std::array<double, quick_degree + 1> mirrored;
+        for (size_t i = 0; i <= degree; ++i) mirrored[i] = (degree - i) % 2 ? -c[i] : c[i];
+        return unit(mirrored.data());
     };
-    return (hi <= 0.0 || any_side(1.0)) && (lo >= 0.0 || any_side(-1.0));
+    return (hi <= 0.0 || unit(c.data())) && (lo >= 0.0 || misses_negative_unit());
 }
 
 /// The sign at x, from as many bits as it needs.

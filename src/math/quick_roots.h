@@ -30,33 +30,12 @@ public:
     /// halvings cannot tell them apart: see solve_polynomial().
     std::optional<size_t> search(std::span<double, N> roots) {
         size_t count = 0;
-        if (!search(bernstein(), 0.0, 1.0, most_halvings, roots, count)) return std::nullopt;
+        if (!search(bernstein_over_unit(c_), 0.0, 1.0, most_halvings, roots, count)) return std::nullopt;
         return count;
     }
 
 private:
     static constexpr int most_halvings = 16;
-
-    Coefficients bernstein() const {
-        static constexpr auto shares = [] {
-            std::array<double, N + 1> inverse{};
-            double choose = 1.0;
-            for (size_t k = 0; k <= N; ++k) {
-                inverse[k] = 1.0 / choose;
-                choose *= static_cast<double>(N - k) / static_cast<double>(k + 1);
-            }
-            return inverse;
-        }();
-        Coefficients b;
-#pragma GCC unroll 16
-        for (size_t k = 0; k <= N; ++k) b[k] = c_[N - k] * shares[k];
-#pragma GCC unroll 16
-        for (size_t k = 1; k <= N; ++k) {
-#pragma GCC unroll 16
-            for (size_t i = N; i >= k; --i) b[i] += b[i - 1];
-        }
-        return b;
-    }
 
     bool search(const Coefficients& b, double lo, double hi, int halvings, std::span<double, N> roots,
                 size_t& count) const {

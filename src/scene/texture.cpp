@@ -8,9 +8,9 @@ const TurbulenceWarp* PatternModifiers::classic_turbulence() const {
     return last && last->classic ? last : nullptr;
 }
 
-TexturePtr plain_texture() {
+TexturePtr plain_texture(Pigment pigment) {
     Texture layer;
-    layer.pigment = std::make_shared<const Pigment>();
+    layer.pigment = std::make_shared<const Pigment>(std::move(pigment));
     layer.finish = std::make_shared<const Finish>();
     return std::make_shared<const TextureLayers>(TextureLayers{std::move(layer)});
 }

@@ -114,8 +114,8 @@ struct Texture {
 using TextureLayers = std::vector<Texture>;
 using TexturePtr = std::shared_ptr<const TextureLayers>;
 
-/// One plain layer: black, with the language's default finish.
-TexturePtr plain_texture();
+/// One plain layer of the language's default finish.
+TexturePtr plain_texture(Pigment pigment = {});
 
 /// The same with `map` applied after what is there, as a transformation statement does (spec:
 /// textures 2.2, 8.2).

@@ -1,3 +1,4 @@
+#include "shapes/cell_hull.h"
 #include "shapes/convex_ray.h"
 #include "shapes/isosurface.h"
 
@@ -14,23 +15,6 @@ constexpr uint32_t sphere_part = 7;
 constexpr uint32_t on_function = 0;
 
 bool below(double v) { return v < 0.0; }
-
-/// Hull of the cells that may hold a part of the solid (of the surface, if open).
-void add_cells(const IsosurfaceData& data, const Bounds& cell, int levels, Bounds& hull) {
-    if (hull.contains(cell.lo) && hull.contains(cell.hi)) return;
-    const Interval v = data.bound(cell);
-    if (!v.maybe_nan && (v.lo > 0.0 || (data.open && v.hi < 0.0))) return;
-    if (levels == 0 || v.hi < 0.0) {
-        hull.include(cell);
-        return;
-    }
-    const Vec3 middle = cell.center();
-    for (int k = 0; k < 8; ++k) {
-        Bounds part = cell;
-        for (int i = 0; i < 3; ++i) ((k >> i & 1) ? part.lo[i] : part.hi[i]) = middle[i];
-        add_cells(data, part, levels - 1, hull);
-    }
-}
 
 }  // namespace
 
@@ -146,8 +130,14 @@ Isosurface::Isosurface(IsosurfaceData data)
     : data_(std::move(data)),
       loose_(has_loose_bounds(data_)),
       resolution_(loose_ ? 0.5 * data_.accuracy : std::min(data_.accuracy, 1e-3 * data_.size()) / 16.0) {
+    // Of the surface, if open.
+    const auto content = [&](const Bounds& cell) {
+        const Interval v = data_.bound(cell);
+        if (!v.maybe_nan && (v.lo > 0.0 || (data_.open && v.hi < 0.0))) return CellContent::none;
+        return v.hi < 0.0 ? CellContent::whole : CellContent::some;
+    };
     constexpr int levels = 4;
-    add_cells(data_, data_.box, levels, bounds_);
+    add_cells(content, data_.box, levels, bounds_);
 }
 
 bool Isosurface::enters_container(const ShapeRay& query, Span& span) const {

@@ -1,6 +1,7 @@
 #include "shapes/poly_bounds.h"
 
 #include "math/roots.h"
+#include "shapes/cell_hull.h"
 
 #include <algorithm>
 #include <array>
@@ -133,21 +134,6 @@ double outer_radius(int order, const Monomials& terms) {
     return infinity;
 }
 
-void add_cells(LeastValue& value, const Bounds& cell, int levels, Bounds& hull) {
-    if (hull.contains(cell.lo) && hull.contains(cell.hi)) return;
-    if (value.over(cell) > 0.0) return;
-    if (levels == 0) {
-        hull.include(cell);
-        return;
-    }
-    const Vec3 middle = cell.center();
-    for (int k = 0; k < 8; ++k) {
-        Bounds part = cell;
-        for (int i = 0; i < 3; ++i) ((k >> i & 1) ? part.lo[i] : part.hi[i]) = middle[i];
-        add_cells(value, part, levels - 1, hull);
-    }
-}
-
 }  // namespace
 
 Bounds poly_bounds(int order, std::span<const double> coefficients) {
@@ -158,13 +144,16 @@ Bounds poly_bounds(int order, std::span<const double> coefficients) {
     const double r = outer_radius(order, terms);
     if (!std::isfinite(r)) return Bounds::everything();
     LeastValue value(terms);
+    const auto content = [&](const Bounds& cell) {
+        return value.over(cell) > 0.0 ? CellContent::none : CellContent::some;
+    };
     Bounds box{Vec3{-r}, Vec3{r}};
     // Finer cells would fit better, but take longer than most pictures gain: 8 times for each level.
     constexpr int levels = 3;
     bool settled = false;
     while (!settled) {
         Bounds hull;
-        add_cells(value, box, levels, hull);
+        add_cells(content, box, levels, hull);
         // Never below zero, but for points that rounding decides.
         if (hull.is_empty()) return Bounds::everything();
         settled = hull.half_area() > 0.95 * box.half_area();

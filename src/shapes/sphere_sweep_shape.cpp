@@ -21,7 +21,9 @@ int parts_of(const SweepPiece& piece) {
         radius = std::max(radius, std::abs(piece.control[i].w));
     }
     constexpr double most = 8.0;
-    return static_cast<int>(std::clamp(std::ceil(0.5 * length / radius), 1.0, most));
+    const double parts = std::ceil(0.5 * length / radius);
+    // Nothing is as thick as points without radius.
+    return parts < most ? std::max(static_cast<int>(parts), 1) : static_cast<int>(most);
 }
 
 }  // namespace
