@@ -51,10 +51,9 @@ void add_interiors(const Geometry::Parts& parts, const TopSolid& top, const Vec3
 
 }  // namespace
 
-ElementError Geometry::Parts::error_of(uint32_t index, uint32_t member) const {
+ElementError Geometry::Parts::error_of_member(uint32_t index, uint32_t member) const {
     const ElementError& own = errors[index];
     const Leaf& leaf = flat.leaves[index];
-    if (leaf.instance == no_surface) return own;
     const Instance& instance = flat.instances[leaf.instance];
     const ElementError inner = instance.compound->error_of(member);
     const double in = stretch(leaf.object_from_world);

@@ -40,7 +40,10 @@ struct Geometry::Parts {
     uint8_t all_masks = 0;
 
     /// Of a hit on a leaf, or on a member of it if it is an instance.
-    ElementError error_of(uint32_t leaf, uint32_t member) const;
+    ElementError error_of(uint32_t leaf, uint32_t member) const {
+        return flat.leaves[leaf].instance == no_surface ? errors[leaf] : error_of_member(leaf, member);
+    }
+    ElementError error_of_member(uint32_t leaf, uint32_t member) const;
 
     /// True if no ray of the bundle can meet a listed element, as far as that is easy to tell.
     bool passes_by(uint32_t element, const RayBundle& bundle) const {

@@ -31,7 +31,7 @@ private:
 class Search {
 public:
     Search(const Geometry::Parts& parts, const RayQuery& query)
-        : parts_(parts), query_(query), unit_speed_(query.ray.direction), ray_{query.ray} {
+        : parts_(parts), query_(query), ray_{query.ray} {
         ray_.t_min = query.t_min;
         if (query.origin_leaf != no_leaf) set_origin_error();
     }
@@ -40,7 +40,7 @@ public:
     Search(const Geometry::Parts& parts, const RayQuery& query, const ShapeRay& outer)
         : parts_(parts),
           query_(query),
-          unit_speed_(query.ray.direction / glm::dot(query.ray.direction, query.ray.direction)),
+          per_speed_(1.0 / glm::dot(query.ray.direction, query.ray.direction)),
           ray_{query.ray} {
         ray_.t_min = query.t_min;
         if (outer.starts_on_surface || outer.origin_error > 0.0) {
@@ -50,7 +50,7 @@ public:
     }
 
     /// The nearest crossing that counts: fills leaf and crossing of the hit.
-    bool closest(const Candidates* candidates, Hit& hit) const {
+    [[gnu::always_inline]] bool closest(const Candidates* candidates, Hit& hit) const {
         double t_best = query_.t_max;
         hit.leaf = no_leaf;
         Crossing crossing;
@@ -82,7 +82,8 @@ public:
     }
 
     /// An element that any crossing was found of, or no_leaf; `without` has been tried.
-    uint32_t any(const Candidates* candidates, uint32_t without, Crossing& found) const {
+    [[gnu::always_inline]] uint32_t any(const Candidates* candidates, uint32_t without,
+                                        Crossing& found) const {
         uint32_t met = no_leaf;
         const auto listed_blocks = [&](uint32_t i) {
             if (i == without || !test_listed<true>(i, query_.t_max, found)) return false;
@@ -143,14 +144,14 @@ private:
         const double radius = static_cast<double>(e.radius);
         if (radius == std::numeric_limits<double>::infinity()) return false;
         const Vec3 from = query_.ray.origin - Vec3(e.center);
-        const double middle = -glm::dot(from, unit_speed_);
+        const double middle = -glm::dot(from, query_.ray.direction) * per_speed_;
         const Vec3 foot = from + middle * query_.ray.direction;
         constexpr double rounding = 1e-13;
         return glm::dot(foot, foot) > radius * radius + rounding * glm::dot(from, from);
     }
 
     template <bool any>
-    bool ask(const Element& e, double t_max, Crossing& found) const {
+    [[gnu::always_inline]] bool ask(const Element& e, double t_max, Crossing& found) const {
         const bool starts = e.leaf == query_.origin_leaf;
         ray_.t_max = t_max;
         ray_.starts_on_surface = starts;
@@ -192,8 +193,8 @@ private:
 
     const Geometry::Parts& parts_;
     const RayQuery& query_;
-    Vec3 unit_speed_;       ///< direction over its squared length
-    mutable ShapeRay ray_;  ///< for shapes in world space; the rest changes from element to element
+    double per_speed_ = 1.0;  ///< one over the squared length of the direction
+    mutable ShapeRay ray_;    ///< for shapes in world space; the rest changes from element to element
 };
 
 }  // namespace rb
