@@ -69,12 +69,16 @@ struct Tangent {
 /// there is none. Moves both toward it.
 template <class Value, class Slope>
 Tangent convex_valley(const Value& value, const Slope& slope, Tangent& from, Tangent& to) {
-    while (from.slope < 0.0 && to.slope > 0.0) {
+    // Where one tangent is steep and one is nearly level they meet next to the steep one's place: halving
+    // brings the end.
+    constexpr int most_at_once = 8;
+    for (int step = 1; from.slope < 0.0 && to.slope > 0.0; ++step) {
         // Both tangents lie below: where they meet above zero, all is above.
         const double meet = (to.f - from.f + from.slope * from.t - to.slope * to.t) / (from.slope - to.slope);
         if (from.f + from.slope * (meet - from.t) > 0.0) break;
         if (from.t - from.f / from.slope > to.t || to.t - to.f / to.slope < from.t) break;
-        const double t = meet > from.t && meet < to.t ? meet : 0.5 * (from.t + to.t);
+        const bool halve = step % most_at_once == 0 || !(meet > from.t && meet < to.t);
+        const double t = halve ? 0.5 * (from.t + to.t) : meet;
         if (!(t > from.t && t < to.t)) break;
         const double f = value(t);
         if (f < 0.0) return {t, f, 0.0};

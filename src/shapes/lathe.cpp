@@ -21,6 +21,7 @@ TurnedPiece turned(const CurvePiece& piece) {
         for (size_t k = 0; k < 4; ++k) out.s[i + k] += x[i] * x[k];
     }
     out.degree = 2 * piece.degree;
+    out.squares_radius = true;
     out.start = piece.start();
     out.end = piece.end();
     return out;

@@ -116,6 +116,7 @@ void TurnedShape::put_on_part(const ShapeRay& query, Line& line) const {
         line.o.y = cap_rim(line.part).y;
         return;
     }
+    line.neighbour = neighbour(line.part, line.w);
     const Vec2 p = piece(line.part).at(line.w);
     const double rho = std::sqrt(line.o.x * line.o.x + line.o.z * line.o.z);
     if (rho > 0.0) {
@@ -123,6 +124,16 @@ void TurnedShape::put_on_part(const ShapeRay& query, Line& line) const {
         line.o.z *= p.x / rho;
     }
     line.o.y = p.y;
+}
+
+/// The piece that begins or ends where `part` has its end `w`, if there is one.
+uint32_t TurnedShape::neighbour(uint32_t part, double w) const {
+    if (w > 0.0 && w < 1.0) return none;
+    const uint32_t count = base_cap();
+    const uint32_t other = w == 1.0 ? (part + 1) % count : (part + count - 1) % count;
+    const bool meets =
+        w == 1.0 ? piece(other).start == piece(part).end : piece(other).end == piece(part).start;
+    return other != part && meets ? other : none;
 }
 
 TurnedShape::Line TurnedShape::set_up(const ShapeRay& query) const {

@@ -39,7 +39,7 @@ public:
         const auto reach = [&] { return sink.reach(); };
         curve_->pieces.visit(line, query.t_min, reach, [&](uint32_t i) {
             std::array<TurnedPieces::Hit, 12> hits;
-            const int n = curve_->pieces.cross(line, i, line.part == i ? line.w : -1.0, hits);
+            const int n = curve_->pieces.cross(line, i, line.own(i), hits);
             for (int k = 0; k < n; ++k) {
                 const TurnedPieces::Hit& hit = hits[static_cast<size_t>(k)];
                 sink(hit.t, i, Vec2{hit.w, 0.0});
@@ -67,6 +67,8 @@ private:
     struct Line : TurnedLine {
         uint32_t part = none;  ///< where it starts
         double w = 0;
+        uint32_t neighbour = none;  ///< the piece that meets `part` at this end
+        double own(uint32_t piece) const { return piece == part ? w : piece == neighbour ? 1.0 - w : -1.0; }
     };
 
     const std::vector<TurnedPiece>& pieces() const { return curve_->pieces.all(); }
@@ -77,6 +79,7 @@ private:
     }
     Line set_up(const ShapeRay& query) const;
     void put_on_part(const ShapeRay& query, Line& line) const;
+    uint32_t neighbour(uint32_t part, double w) const;
     void put_on_nearest(double within, Line& line) const;
     double parameter_at(const Vec3& local, const Crossing& at) const;
     bool meets_cap(const Line& line, uint32_t cap, double& t) const;

@@ -69,6 +69,22 @@ void include_values(const std::array<double, N>& b, int levels, Range& range) {
     }
 }
 
+/// Divides c by w - own, as often as it is zero there: the other crossings stay where they are. `start` and
+/// `end`: whether c is negative at the ends.
+void divide_by_start(const TurnedPiece& piece, double own, std::array<double, 7>& c, int& degree, bool& start,
+                     bool& end) {
+    const bool on_axis = (own == 0.0 && piece.start.x == 0.0) || (own == 1.0 && piece.end.x == 0.0);
+    for (int times = on_axis && piece.squares_radius ? 2 : 1; times > 0 && degree > 0; --times) {
+        for (size_t i = 1; i < 7; ++i) c[i] += own * c[i - 1];
+        std::copy_backward(c.begin(), c.end() - 1, c.end());
+        c[0] = 0.0;
+        --degree;
+        if (own > 0.0) start = !start;
+        if (own == 0.0) start = c[6] < 0.0;
+        if (own == 1.0) end = value(c, 1.0) < 0.0;
+    }
+}
+
 }  // namespace
 
 Vec2 TurnedPiece::at(double w) const {
@@ -228,16 +244,9 @@ int TurnedPieces::cross(const TurnedLine& line, uint32_t index, double own, std:
         c[i] = line.across * c[i] - dd * piece.s[i];
     c[6] += dd * line.nearest;
     bool start = line.side(piece.start) < 0.0;
-    const bool end = line.side(piece.end) < 0.0;
+    bool end = line.side(piece.end) < 0.0;
     int degree = piece.degree;
-    if (own > 0.0 && own < 1.0) {
-        // Divided by w - own: the other crossings stay where they are.
-        for (size_t i = 1; i < 7; ++i) c[i] += own * c[i - 1];
-        std::copy_backward(c.begin(), c.end() - 1, c.end());
-        c[0] = 0.0;
-        start = !start;
-        --degree;
-    }
+    if (own >= 0.0) divide_by_start(piece, own, c, degree, start, end);
     std::array<double, 6> w{};
     const int n = changes(c, degree, start, end, w);
     for (int i = 0; i < n; ++i) {

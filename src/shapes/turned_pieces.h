@@ -15,8 +15,9 @@ namespace rb {
 struct TurnedPiece {
     std::array<double, 4> y{};
     std::array<double, 7> s{};
-    int degree = 6;  ///< of what a ray makes of it: the larger of 2 deg y and deg s
-    Vec2 start;      ///< radius and height of the ends
+    int degree = 6;               ///< of what a ray makes of it: the larger of 2 deg y and deg s
+    bool squares_radius = false;  ///< s is the square of a polynomial: on the axis it has a double zero
+    Vec2 start;                   ///< radius and height of the ends
     Vec2 end;
 
     Vec2 at(double w) const;  ///< radius and height
@@ -67,7 +68,7 @@ public:
         double w = 0;
     };
     /// The line's hits with a piece. `own`: the parameter where it starts on this piece, left out; else
-    /// negative.
+    /// negative. A line that starts where two pieces meet starts on both.
     int cross(const TurnedLine& line, uint32_t piece, double own, std::array<Hit, 12>& hits) const;
 
     /// Calls take(piece) for those that the line may meet between t_min and `reach()`.

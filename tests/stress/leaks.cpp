@@ -122,11 +122,12 @@ public:
     Side side(const Vec3& p) const {
         constexpr double step = 1e-6;
         const bool first = inside(p);
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const double sign : {-step, step}) {
-                Vec3 q = p;
-                q[axis] += sign;
-                if (inside(q) != first) return Side::unclear;
+        // All around, for the sake of edges that point inwards.
+        for (const double x : {-step, 0.0, step}) {
+            for (const double y : {-step, 0.0, step}) {
+                for (const double z : {-step, 0.0, step}) {
+                    if (inside(p + Vec3{x, y, z}) != first) return Side::unclear;
+                }
             }
         }
         return first ? Side::inside : Side::outside;
@@ -159,14 +160,18 @@ private:
     const Shape& facets_;
 };
 
+std::string described(const Ray& ray) {
+    const Vec3& o = ray.origin;
+    const Vec3& d = ray.direction;
+    return fmt::format("ray <{:.17g},{:.17g},{:.17g}> <{:.17g},{:.17g},{:.17g}>", o.x, o.y, o.z, d.x, d.y,
+                       d.z);
+}
+
 /// A crossing must lie between any two places of the ray on different sides; a mere touch may count or not.
 Trial judge(const std::string& name, const Truth& truth, const Ray& ray, std::vector<double> t) {
     const auto fail = [&](double from, double to) {
-        const Vec3& o = ray.origin;
-        const Vec3& d = ray.direction;
-        return Trial{true, fmt::format("{}: between {} and {} of {} crossings, ray <{:.17g},{:.17g},{:.17g}> "
-                                       "<{:.17g},{:.17g},{:.17g}>",
-                                       name, from, to, t.size(), o.x, o.y, o.z, d.x, d.y, d.z)};
+        return Trial{true, fmt::format("{}: between {} and {} of {} crossings, {}", name, from, to, t.size(),
+                                       described(ray))};
     };
     std::ranges::sort(t);
     constexpr double end = 8.0;
@@ -209,7 +214,7 @@ Trial follow(const Solid& solid, const Ray& ray) {
         query.origin_error = hit.error;
         query.origin_part = hit.crossing.part;
     }
-    if (t.size() == most) return {true, solid.name + ": does not end"};
+    if (t.size() == most) return {true, fmt::format("{}: does not end, {}", solid.name, described(ray))};
     return judge(solid.name, ShapeTruth(*solid.exact), ray, std::move(t));
 }
 
@@ -218,7 +223,7 @@ struct Find {
     std::string_view solid;
     Ray ray;
 };
-constexpr std::array<Find, 3> finds{{
+constexpr std::array<Find, 5> finds{{
     // A root next to the end of a piece.
     {"lathe_4",
      {{1.8891655591404368, 0.11969064497713161, 3.8889636569248918},
@@ -231,6 +236,12 @@ constexpr std::array<Find, 3> finds{{
     {"lathe_3",
      {{-2.8081364572889833, 1.4043563635394771, 2.6915083419191941},
       {0.70275627241413863, -0.22624016872213326, -0.6744990790499017}}},
+    // Down the axis, out of one tip and into the other.
+    {"lathe_4", {{0.0, 3.65, 0.0}, {0.0, -1.0, 0.0}}},
+    // Along a face, flat to the last bits: the search for a root took no end.
+    {"superellipsoid_2",
+     {{-2.8985411388014297, 1.0, 2.7211600088133792},
+      {0.73079520770858875, -2.0177433549941316e-31, -0.68259678023717674}}},
 }};
 
 void once_lost(const std::vector<Solid>& solids, Table& table) {

@@ -1,5 +1,5 @@
-// The numerical stress suite. usage: stress [--share S] [FAMILY ...]; S = 1 (all) is hours, 0.001 is the
-// everyday run. Exit code 1 if anything failed.
+// The numerical stress suite. usage: stress [--share S] [--case PART_OF_NAME] [FAMILY ...]; S = 1 (all) is
+// hours, 0.001 is the everyday run. Exit code 1 if anything failed.
 #include "base/parallel.h"
 #include "stress.h"
 
@@ -16,6 +16,7 @@
 namespace rb::stress {
 
 void Table::run(const std::string& what, uint64_t count, const std::function<Trial(Dice&)>& trial) {
+    if (!is_wanted(what)) return;
     constexpr uint64_t block = 256;
     std::mutex lock;
     uint64_t tried = 0;
@@ -57,6 +58,7 @@ void Table::run(const std::string& what, uint64_t count, const std::function<Tri
 }
 
 void Table::run_listed(const std::string& what, size_t count, const std::function<Trial(size_t)>& trial) {
+    if (!is_wanted(what)) return;
     uint64_t failed = 0;
     std::string first;
     for (size_t i = 0; i < count; ++i) {
@@ -79,11 +81,14 @@ int main(int argc, char** argv) {
     using namespace rb::stress;
     constexpr std::array<const Family*, 5> families{&solvers, &leaks, &placement, &hard_cases, &specks};
     Effort effort;
+    std::string_view wanted_case;
     std::vector<std::string_view> wanted;
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
         if (word == "--share" && i + 1 < argc) {
             effort.share = std::strtod(argv[++i], nullptr);
+        } else if (word == "--case" && i + 1 < argc) {
+            wanted_case = argv[++i];
         } else {
             wanted.push_back(word);
         }
@@ -99,7 +104,7 @@ int main(int argc, char** argv) {
         fmt::print("{} ({})\n  {:<44} {:>12} {:>9}\n", family->title, family->name, "case", "tried",
                    "failed");
         const auto start = std::chrono::steady_clock::now();
-        Table table;
+        Table table(wanted_case);
         family->run(effort, table);
         failures += table.failures();
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;

@@ -9,9 +9,9 @@
 
 namespace rb::stress {
 
-/// How much of the full run to do: 1 is all of it.
+/// How much of the full run to do.
 struct Effort {
-    double share = 1;
+    double share = 1;  ///< 1 is all of it
     /// At least one.
     uint64_t of(double full) const { return static_cast<uint64_t>(std::max(1.0, full * share)); }
 };
@@ -27,6 +27,9 @@ struct Trial {
 /// Prints a row for each kind of case: tried, failed, and the first failure (of the lowest number).
 class Table {
 public:
+    /// Only cases whose name contains `wanted` are run.
+    explicit Table(std::string_view wanted) : wanted_(wanted) {}
+
     /// Runs `trial` `count` times on all threads, with dice seeded by the trial's number: the same cases
     /// whatever the number of threads.
     void run(const std::string& what, uint64_t count, const std::function<Trial(Dice&)>& trial);
@@ -36,8 +39,10 @@ public:
     uint64_t failures() const { return failures_; }
 
 private:
+    bool is_wanted(const std::string& what) const { return what.find(wanted_) != std::string::npos; }
     void print(const std::string& what, uint64_t tried, uint64_t failed, const std::string& first);
 
+    std::string_view wanted_;
     uint64_t failures_ = 0;
 };
 
