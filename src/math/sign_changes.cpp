@@ -94,9 +94,11 @@ int changes_of_quadratic(const std::array<double, 3>& c, bool negative_at_0, boo
     std::array<double, 2> all{};
     const int n = solve_quadratic(c[0], 0.5 * c[1], c[2], all);
     if (!opposite) {
-        if (n < 2 || !(all[0] >= 0.0 && all[1] <= 1.0)) return 0;
-        roots[0] = all[0];
-        roots[1] = all[1];
+        // Both are within or none: where one is beyond an end it is by rounding, of the nearer of the two.
+        const double between = 0.5 * (all[0] + all[1]);
+        if (n < 2 || !(between > 0.0 && between < 1.0)) return 0;
+        roots[0] = std::clamp(all[0], 0.0, 1.0);
+        roots[1] = std::clamp(all[1], 0.0, 1.0);
         return 2;
     }
     if (n == 0) {

@@ -112,6 +112,11 @@ TEST(Roots, SignChangesObeyTheGivenEnds) {
     EXPECT_NEAR(two[1], 0.5, 1e-15);
     EXPECT_EQ(sign_changes<2>({1, -0.5, 0}, true, false, two), 1);
     EXPECT_NEAR(two[0], 0.5, 1e-15);
+    // Rounding has put the second root, which the signs prove, behind the end; but not a second one far away.
+    ASSERT_EQ(sign_changes<2>({1, -1.9 - 1e-9, 0.9 + 0.9e-9}, false, false, two), 2);
+    EXPECT_NEAR(two[0], 0.9, 1e-15);
+    EXPECT_EQ(two[1], 1.0);
+    EXPECT_EQ(sign_changes<2>({1, -2.5 + 1e-9, 1.5 - 1.5e-9}, false, false, two), 0);
     // Newton's first step starts from an inflection: v(w) = 0.2 of a Catmull-Rom piece, met at its end.
     ASSERT_EQ(sign_changes<3>({-0.4, 0.6, 0.2, -0.4}, true, false, got), 1);
     EXPECT_NEAR(got[0], 1.0, 1e-12);

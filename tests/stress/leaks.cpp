@@ -223,7 +223,7 @@ struct Find {
     std::string_view solid;
     Ray ray;
 };
-constexpr std::array<Find, 5> finds{{
+constexpr std::array<Find, 6> finds{{
     // A root next to the end of a piece.
     {"lathe_4",
      {{1.8891655591404368, 0.11969064497713161, 3.8889636569248918},
@@ -238,6 +238,10 @@ constexpr std::array<Find, 5> finds{{
       {0.70275627241413863, -0.22624016872213326, -0.6744990790499017}}},
     // Down the axis, out of one tip and into the other.
     {"lathe_4", {{0.0, 3.65, 0.0}, {0.0, -1.0, 0.0}}},
+    // Through a piece into its joint with the next, whose root rounding put behind the end.
+    {"lathe_2",
+     {{-3.7880092062796069, -0.0004936952627344407, -0.84296620977377779},
+      {0.98415954282494666, 0.00012342381568361017, 0.17728502202147217}}},
     // Along a face, flat to the last bits: the search for a root took no end.
     {"superellipsoid_2",
      {{-2.8985411388014297, 1.0, 2.7211600088133792},

@@ -217,10 +217,12 @@ struct Solver {
 };
 
 void run(const Effort& effort, Table& table) {
-    static constexpr std::array<Solver, 8> all{{
+    static constexpr std::array<Solver, 9> all{{
         {"quadratic", 2, 2, try_quadratic},
         {"cubic", 3, 3, try_fixed<3>},
         {"quartic", 4, 4, try_fixed<4>},
+        {"sign changes, degree 2", 2, 2,
+         [](const Polynomial& p, Dice& d) { return try_sign_changes<2>(p, d); }},
         {"sign changes, degree 3", 3, 3,
          [](const Polynomial& p, Dice& d) { return try_sign_changes<3>(p, d); }},
         {"sign changes, degree 4", 4, 4,
