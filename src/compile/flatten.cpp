@@ -220,7 +220,7 @@ uint32_t Flattener::build(const Object& object, const Inherited& from, bool inve
     fresh.difference = csg.kind == CsgKind::difference && fresh.kind == SolidNode::Kind::intersection;
     fresh.tests_hits =
         fresh.kind != SolidNode::Kind::union_ || (parent != no_node && flat_.solids.nodes[parent].tests_hits);
-    flat_.solids.nodes.push_back(std::move(fresh));
+    flat_.solids.nodes.push_back(fresh);
     add_lists(object, from, index);
     own.top = false;
     own.image_fixed = own.image_fixed || flat_.solids.nodes[index].kind == SolidNode::Kind::union_;
@@ -284,7 +284,7 @@ uint32_t Flattener::build_shape(const Object&, const ShapePtr& shape, const Inhe
     node.tests_hits = parent != no_node && flat_.solids.nodes[parent].tests_hits;
     node.placed = static_cast<uint32_t>(flat_.solids.shapes.size());
     flat_.solids.shapes.push_back(std::move(placed));
-    flat_.solids.nodes.push_back(std::move(node));
+    flat_.solids.nodes.push_back(node);
     return static_cast<uint32_t>(flat_.solids.nodes.size() - 1);
 }
 

@@ -27,7 +27,7 @@ bool Flattener::add_instance(const Object& object, const Inherited& from) {
     leaf.mask = compound.mask();
     leaf.solid = static_cast<uint32_t>(flat_.solids.nodes.size());
     leaf.instance = static_cast<uint32_t>(flat_.instances.size());
-    flat_.solids.nodes.push_back(std::move(node));
+    flat_.solids.nodes.push_back(node);
     flat_.solids.set_regions(leaf.solid);
     flat_.tops.push_back({leaf.solid, own.slot, leaf.instance, {}});
     flat_.instances.push_back({entry.compound, look_of(entry, own), stretch(own.world_from_parent.forward)});

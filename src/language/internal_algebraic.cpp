@@ -263,8 +263,10 @@ T witch_of_agnesi_2d(In<T>& a) {
 
 }  // namespace
 
-#define RB_SURFACE(number, parameters, name) \
-    { number, parameters, name<double>, name<Interval>, name<IntervalSlope> }
+// NOLINTBEGIN(bugprone-macro-parentheses): f is the name of a template.
+#define RB_SURFACE(number, parameters, f) \
+    { number, parameters, f<double>, f<Interval>, f<IntervalSlope> }
+// NOLINTEND(bugprone-macro-parentheses)
 std::span<const InternalKind> algebraic_surfaces() {
     static constexpr InternalKind kinds[] = {RB_SURFACE(0, 5, algbr_cyl1),
                                              RB_SURFACE(1, 5, algbr_cyl2),

@@ -286,8 +286,10 @@ T torus(In<T>& a) {
 
 }  // namespace
 
-#define RB_SURFACE(number, parameters, name) \
-    { number, parameters, name<double>, name<Interval>, name<IntervalSlope> }
+// NOLINTBEGIN(bugprone-macro-parentheses): f is the name of a template.
+#define RB_SURFACE(number, parameters, f) \
+    { number, parameters, f<double>, f<Interval>, f<IntervalSlope> }
+// NOLINTEND(bugprone-macro-parentheses)
 std::span<const InternalKind> shaped_surfaces() {
     static constexpr InternalKind kinds[] = {RB_SURFACE(6, 5, blob),
                                              RB_SURFACE(7, 4, blob2),

@@ -1,7 +1,9 @@
 #include "math/transform.h"
 
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 namespace rb {
 
@@ -10,7 +12,9 @@ const Affine SharedAffine::identity{};
 
 SharedTransform::SharedTransform(const Transform& map) {
     // Bit by bit: -0 is not the identity's 0.
-    if (std::memcmp(&map, &identity, sizeof map) != 0) map_ = std::make_shared<const Transform>(map);
+    using Bits = std::array<uint64_t, sizeof map / sizeof(uint64_t)>;
+    if (std::bit_cast<Bits>(map) != std::bit_cast<Bits>(identity))
+        map_ = std::make_shared<const Transform>(map);
 }
 
 Affine then(const Affine& a, const Affine& b) {

@@ -21,6 +21,7 @@ public:
         if (swept_.conic && swept_.h0 < 0.0 && swept_.h1 > 0.0) heights.push_back(0.0);
         heights.push_back(swept_.h1);
         std::vector<std::vector<uint32_t>> layers;
+        layers.reserve(heights.size());
         for (const double h : heights) layers.push_back(layer(h));
         for (const auto& t : region_.triangles) {
             if (swept_.open) break;

@@ -29,8 +29,8 @@ struct Slice {
 /// where reach() proves that nothing changes, and else gone through in small steps.
 class JuliaFractal final : public Shape {
 public:
-    JuliaFractal(JuliaFormula formula, Slice slice, double precision)
-        : formula_(std::move(formula)), slice_(slice), resolution_(1.0 / (steps_per_precision * precision)) {
+    JuliaFractal(const JuliaFormula& formula, Slice slice, double precision)
+        : formula_(formula), slice_(slice), resolution_(1.0 / (steps_per_precision * precision)) {
         const double r = formula_.radius();
         if (!formula_.has_reach()) {
             bounds_ = {Vec3{-r}, Vec3{r}};
@@ -233,7 +233,7 @@ ShapePtr read(BlockReader& in) {
         in.fail_at(function_at, "Illegal function: quaternion only supports sqr and cube.");
     }
     formula.steps = static_cast<size_t>(iterations);
-    return std::make_shared<JuliaFractal>(std::move(formula), slice, precision);
+    return std::make_shared<JuliaFractal>(formula, slice, precision);
 }
 
 }  // namespace

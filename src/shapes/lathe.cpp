@@ -70,6 +70,7 @@ ShapePtr read(BlockReader& in) {
     for (size_t i = 0; i + rule.around <= points.size(); i += rule.step)
         pieces.push_back(spline_piece(kind, &points[i]));
     std::vector<TurnedPiece> turned_pieces;
+    turned_pieces.reserve(pieces.size());
     for (const CurvePiece& piece : pieces) turned_pieces.push_back(turned(piece));
     curve->pieces = TurnedPieces(std::move(turned_pieces));
     curve->outline = Outline(std::move(pieces));

@@ -55,7 +55,7 @@ Parametric::Cell Parametric::cell(uint32_t number) const {
         const Vec2 share{static_cast<double>(u) / side, static_cast<double>(v) / side};
         return data_.lo + share * (data_.hi - data_.lo);
     };
-    const Vec3* low = grid_.data() + k * (side + 1) + i;
+    const Vec3* low = grid_.data() + static_cast<size_t>(k) * (side + 1) + i;
     const Vec3* high = low + side + 1;
     return {line(i, k), line(i + 1, k + 1), {low[0], low[1], high[0], high[1]}};
 }
