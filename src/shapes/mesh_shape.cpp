@@ -57,8 +57,9 @@ void MeshShape::build_tree() const {
 }
 
 /// Calls take(face, hit) for the faces that the ray meets in (t_min, t_max] and that are not where it starts;
-/// ends when take returns true. A face may come more than once.
-template <class Take>
+/// ends when take returns true. A face may come more than once. `once`: of faces that share what the ray
+/// meets an even number come.
+template <bool once, class Take>
 bool MeshShape::each_candidate(const ShapeRay& ray, const double& t_max, Take&& take) const {
     const WoopRay woop(ray.ray);
     const Vec3f* vertices = data_.triangles.vertices.data();
@@ -68,7 +69,8 @@ bool MeshShape::each_candidate(const ShapeRay& ray, const double& t_max, Take&& 
         const Vec3f& b = vertices[faces[face][1]];
         const Vec3f& c = vertices[faces[face][2]];
         TriangleHit hit;
-        if (!woop.hits(a, b, c, hit) || !(hit.t > ray.t_min && hit.t <= t_max)) return false;
+        if (!(once ? woop.hits_once(a, b, c, hit) : woop.hits(a, b, c, hit))) return false;
+        if (!(hit.t > ray.t_min && hit.t <= t_max)) return false;
         if (ray.starts_on_surface && face == ray.origin_part) return false;
         if (ray.origin_error > 0.0 && in_plane(ray.ray.origin, Vec3(a), Vec3(b), Vec3(c), ray.origin_error))
             return false;
@@ -90,7 +92,7 @@ bool MeshShape::each_candidate(const ShapeRay& ray, const double& t_max, Take&& 
 
 void MeshShape::crossings(const ShapeRay& ray, Crossings& out) const {
     std::vector<Crossing> all;
-    each_candidate(ray, ray.t_max, [&](uint32_t face, const TriangleHit& hit) {
+    each_candidate<true>(ray, ray.t_max, [&](uint32_t face, const TriangleHit& hit) {
         all.push_back({hit.t, face, hit.at});
         return false;
     });
@@ -102,11 +104,11 @@ void MeshShape::crossings(const ShapeRay& ray, Crossings& out) const {
 
 bool MeshShape::closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const {
     return nearest_face(ray, filter, nearest,
-                        [&](const double& t_max, auto&& take) { each_candidate(ray, t_max, take); });
+                        [&](const double& t_max, auto&& take) { each_candidate<false>(ray, t_max, take); });
 }
 
 bool MeshShape::any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const {
-    return each_candidate(ray, ray.t_max, [&](uint32_t face, const TriangleHit& hit) {
+    return each_candidate<false>(ray, ray.t_max, [&](uint32_t face, const TriangleHit& hit) {
         found = {hit.t, face, hit.at};
         return !filter || filter->counts(found);
     });

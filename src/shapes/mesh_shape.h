@@ -69,7 +69,7 @@ private:
         return Vec3(data_.triangles.vertices[data_.triangles.faces[face][corner]]);
     }
     void build_tree() const;
-    template <class Take>
+    template <bool once, class Take>
     bool each_candidate(const ShapeRay& ray, const double& t_max, Take&& take) const;
 
     std::string keyword_;

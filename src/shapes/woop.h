@@ -1,8 +1,10 @@
 #pragma once
 #include "math/bounds.h"
 #include "math/ray.h"
+#include "math/twofold.h"
 
 #include <cmath>
+#include <limits>
 
 namespace rb {
 
@@ -37,15 +39,19 @@ public:
         return finish(s, hit);
     }
 
-    /// For counting: an edge belongs to exactly one of two neighbours, a vertex to exactly one of its fan.
+    /// For counting: of the faces of a closed mesh an even number is met, through edges and vertices, too.
+    /// The signs are exact, and a ray through an edge counts as one next to it: moved in x by less than
+    /// anything, in y by less than that (Edelsbrunner and Muecke 1990).
     template <class V>
     bool hits_once(const V& a, const V& b, const V& c, TriangleHit& hit) const {
-        const Sheared s = shear(a, b, c);
-        const double side = s.u + s.v + s.w > 0.0 ? 1.0 : -1.0;
-        if (!owns(s.u * side, side * (s.cx - s.bx), side * (s.cy - s.by))) return false;
-        if (!owns(s.v * side, side * (s.ax - s.cx), side * (s.ay - s.cy))) return false;
-        if (!owns(s.w * side, side * (s.bx - s.ax), side * (s.by - s.ay))) return false;
-        return finish(s, hit);
+        Sheared s = shear(a, b, c);
+        s.u = exactly(s.cx, s.by, s.cy, s.bx, s.u);
+        s.v = exactly(s.ax, s.cy, s.ay, s.cx, s.v);
+        s.w = exactly(s.bx, s.ay, s.by, s.ax, s.w);
+        const int u = side(s.u, s.cx - s.bx, s.cy - s.by);
+        const int v = side(s.v, s.ax - s.cx, s.ay - s.cy);
+        const int w = side(s.w, s.bx - s.ax, s.by - s.ay);
+        return u != 0 && u == v && u == w && finish(s, hit);
     }
 
 private:
@@ -82,9 +88,19 @@ private:
         return true;
     }
 
-    /// `edge` with the triangle's inside on its positive side, running along (dx, dy).
-    static bool owns(double edge, double dx, double dy) {
-        return edge > 0.0 || (edge == 0.0 && (dy > 0.0 || (dy == 0.0 && dx > 0.0)));
+    /// a b - c d, where `rounded` is what double precision makes of it.
+    static double exactly(double a, double b, double c, double d, double rounded) {
+        constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+        if (std::abs(rounded) > rounding * (std::abs(a * b) + std::abs(c * d))) return rounded;
+        return static_cast<double>(Twofold(a) * b + Twofold(-c) * d);
+    }
+
+    /// The sign of an edge that runs along (dx, dy), seen from the ray moved; 0 if it is but a point.
+    static int side(double edge, double dx, double dy) {
+        for (const double v : {edge, dy, -dx}) {
+            if (v != 0.0) return v > 0.0 ? 1 : -1;
+        }
+        return 0;
     }
 
     double ox_, oy_, oz_;
