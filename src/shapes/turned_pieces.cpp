@@ -249,11 +249,29 @@ int TurnedPieces::cross(const TurnedLine& line, uint32_t index, double own, std:
     if (own >= 0.0) divide_by_start(piece, own, c, degree, start, end);
     std::array<double, 6> w{};
     const int n = changes(c, degree, start, end, w);
+    // Of flat lines a polynomial in the height alone tells t badly.
+    constexpr double flat = 1e-2;
+    const bool settles = dd < flat * line.across;
     for (int i = 0; i < n; ++i) {
         const double at = w[static_cast<size_t>(i)];
-        hits[static_cast<size_t>(i)] = {line.t_at(piece, at), at};
+        const Hit hit{line.t_at(piece, at), at};
+        hits[static_cast<size_t>(i)] = settles ? settled(line, piece, hit) : hit;
     }
     return n;
+}
+
+/// A step of Newton's method on height and squared distance from the axis, by t and w together.
+TurnedPieces::Hit TurnedPieces::settled(const TurnedLine& line, const TurnedPiece& piece, const Hit& hit) {
+    const double out = hit.t - line.t_near;
+    const double up = line.o.y + hit.t * line.d.y - piece.height(hit.w);
+    const double off = line.across * out * out + line.nearest - piece.squared_radius(hit.w);
+    const Vec2 slope = piece.slope(hit.w);
+    const double along = 2.0 * line.across * out;
+    const double determinant = 2.0 * slope.x * line.d.y - slope.y * along;
+    const double w = hit.w + (off * line.d.y - up * along) / determinant;
+    const double t = hit.t + (off * slope.y - up * 2.0 * slope.x) / determinant;
+    constexpr double near = 1e-6;
+    return std::abs(w - hit.w) < near && w >= 0.0 && w <= 1.0 ? Hit{t, w} : hit;
 }
 
 /// Each height met gives both ends of a chord; the slope of the ray then moves each a little.

@@ -94,6 +94,7 @@ private:
 
     static Box box_of(const TurnedPiece& piece);
     Contact settle(uint32_t piece, const Vec2& p, double w, const Vec2& at) const;
+    static Hit settled(const TurnedLine& line, const TurnedPiece& piece, const Hit& hit);
     int cross_level(const TurnedLine& line, uint32_t piece, double own, std::array<Hit, 12>& hits) const;
 
     std::vector<TurnedPiece> pieces_;
