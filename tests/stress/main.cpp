@@ -35,7 +35,6 @@ void Table::run(const std::string& what, uint64_t count, const std::function<Tri
             Trial result = trial(dice);
             block_tried += result.counts ? 1 : 0;
             if (result.failure.empty()) continue;
-            if (getenv("RB_ALL")) fmt::print("{}\n", result.failure.substr(0, 300));
             ++names[result.failure.substr(0, result.failure.find(':'))];
             if (block_failed++ == 0) {
                 block_first = i;
