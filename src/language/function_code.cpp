@@ -196,92 +196,89 @@ double call_component(const Function& f, std::span<const double> arguments, uint
 }
 
 void FunctionCode::run(double* variable, double* stack_base, double& result) const {
-    double* top = stack_base - 1;
+    // The uppermost value stands apart, in a register; below it, from stack_base[1] on, are the others.
+    double* below = stack_base - 1;
+    double top = 0.0;
+    const auto push = [&](double value) {
+        *++below = top;
+        top = value;
+    };
+    // For functions that take `count` values in a row.
+    const auto arguments = [&](size_t count) {
+        *++below = top;
+        below -= count;
+        return below + 1;
+    };
     for (const Instruction& i : instructions) {
         switch (i.op) {
             case Op::constant:
-                *++top = i.value;
+                push(i.value);
                 break;
             case Op::variable:
-                *++top = variable[i.index];
+                push(variable[i.index]);
                 break;
             case Op::negate:
-                *top = -*top;
+                top = -top;
                 break;
             case Op::add:
-                top[-1] += top[0];
-                --top;
+                top = *below-- + top;
                 break;
             case Op::subtract:
-                top[-1] -= top[0];
-                --top;
+                top = *below-- - top;
                 break;
             case Op::multiply:
-                top[-1] *= top[0];
-                --top;
+                top = *below-- * top;
                 break;
             case Op::divide:
-                top[-1] /= top[0];
-                --top;
+                top = *below-- / top;
                 break;
             case Op::less:
-                top[-1] = top[-1] < top[0];
-                --top;
+                top = *below-- < top;
                 break;
             case Op::less_equal:
-                top[-1] = top[-1] <= top[0];
-                --top;
+                top = *below-- <= top;
                 break;
             case Op::equal:
-                top[-1] = top[-1] == top[0];
-                --top;
+                top = *below-- == top;
                 break;
             case Op::unequal:
-                top[-1] = top[-1] != top[0];
-                --top;
+                top = *below-- != top;
                 break;
             case Op::greater_equal:  // true for nan, as in the reference
-                top[-1] = !(top[-1] < top[0]);
-                --top;
+                top = !(*below-- < top);
                 break;
             case Op::greater:
-                top[-1] = !(top[-1] <= top[0]);
-                --top;
+                top = !(*below-- <= top);
                 break;
             case Op::both:
-                top[-1] = top[-1] != 0 && top[0] != 0;
-                --top;
+                top = *below-- != 0 && top != 0;
                 break;
             case Op::either:
-                top[-1] = top[-1] != 0 || top[0] != 0;
-                --top;
+                top = *below-- != 0 || top != 0;
                 break;
             case Op::call1:
-                *top = float_function(static_cast<Keyword>(i.index), *top).value_or(0);
+                top = float_function(static_cast<Keyword>(i.index), top).value_or(0);
                 break;
             case Op::call2:
-                --top;
-                *top = float_function(static_cast<Keyword>(i.index), top[0], top[1]).value_or(0);
+                top = float_function(static_cast<Keyword>(i.index), *below--, top).value_or(0);
                 break;
             case Op::call3:
             case Op::call4:
             case Op::min_max:
-                top -= i.count - 1;
-                *top = call_many(static_cast<Keyword>(i.index), top, i.count);
+                top = call_many(static_cast<Keyword>(i.index), arguments(i.count), i.count);
                 break;
             case Op::function:
-                top -= i.count;
-                top[1] = call_component(*functions[i.index], {top + 1, i.count}, i.component);
-                ++top;
+                top = call_component(*functions[i.index], {arguments(i.count), i.count}, i.component);
                 break;
             case Op::sum:
-            case Op::product:
-                --top;
-                *top = run_loop(bodies[i.count], i.op == Op::sum, i.index, variable, top[0], top[1]);
+            case Op::product: {
+                const double from = *below--;
+                top = run_loop(bodies[i.count], i.op == Op::sum, i.index, variable, from, top);
                 break;
+            }
         }
     }
-    result = *top;
+    result = top;
 }
 
 void UserFunction::evaluate(std::span<const double> arguments, std::span<double> result) const {

@@ -16,6 +16,13 @@ Interval rounded(double lo, double hi, bool nan) { return {next_below(lo), next_
 
 /// Around results of the C library.
 Interval widened(double lo, double hi, bool nan) {
+    const double width = hi - lo;
+    if (width - width == 0) {
+        // More than 4 units in the last place, and this difference's own rounding.
+        constexpr double share = 5.5 * std::numeric_limits<double>::epsilon();
+        constexpr double least = 8.0 * std::numeric_limits<double>::denorm_min();
+        return {lo - (share * std::abs(lo) + least), hi + (share * std::abs(hi) + least), nan};
+    }
     for (int i = 0; i < 4; ++i) {
         lo = next_below(lo);
         hi = next_above(hi);
@@ -41,18 +48,44 @@ bool meets(const Interval& v, double first, double period) {
     return std::floor(to + doubt) >= std::ceil(from - doubt);
 }
 
-/// Beyond it the library is not trusted to reduce the angle well enough for `meets`.
+/// Beyond it the library is not trusted to reduce the angle well enough to tell where the crests are.
 constexpr double largest_angle = 1e9;
 
-Interval wave(double (*f)(double), const Interval& v, double crest, double trough) {
-    const bool nan = v.maybe_nan || v.has_infinity();
-    if (!(v.lo > -largest_angle && v.hi < largest_angle)) return {-1, 1, nan};
-    const auto [low, high] = std::minmax({f(v.lo), f(v.hi)});
-    Interval out = widened(low, high, nan);
-    out.lo = meets(v, trough, 2 * pi) ? -1 : std::max(out.lo, -1.0);
-    out.hi = meets(v, crest, 2 * pi) ? 1 : std::min(out.hi, 1.0);
+/// The multiples of a quarter turn that lie in an interval of angles; in doubt one more.
+struct Quarters {
+    int64_t first;
+    int64_t last;
+
+    explicit Quarters(const Interval& v) {
+        const double from = v.lo * (2.0 / pi);
+        const double to = v.hi * (2.0 / pi);
+        const double doubt = 1e-12 * (1.0 + std::abs(from) + std::abs(to));
+        first = -floor_of(doubt - from);
+        last = floor_of(to + doubt);
+    }
+    /// One that is `turn` quarters after a whole turn.
+    bool hold(int64_t turn) const { return ((turn - first) & 3) <= last - first; }
+
+private:
+    static int64_t floor_of(double v) {
+        const auto towards_zero = static_cast<int64_t>(v);
+        return towards_zero - (v < static_cast<double>(towards_zero) ? 1 : 0);
+    }
+};
+
+/// Between the values at both ends of an interval of angles, with -1 and 1 where they are taken within.
+Interval wave(double at_lo, double at_hi, bool crest, bool trough) {
+    const auto [low, high] = std::minmax({at_lo, at_hi});
+    Interval out = widened(low, high, false);
+    out.lo = trough ? -1 : std::max(out.lo, -1.0);
+    out.hi = crest ? 1 : std::min(out.hi, 1.0);
     return out;
 }
+
+bool is_usual_angle(const Interval& v) {
+    return v.lo > -largest_angle && v.hi < largest_angle && !v.maybe_nan;
+}
+Interval any_wave(const Interval& v) { return {-1, 1, v.maybe_nan || v.has_infinity()}; }
 
 }  // namespace
 
@@ -186,8 +219,22 @@ Interval log10(const Interval& v) {
     return cut(in, 0, infinity) ? rising(std::log10, in) : Interval::everything();
 }
 
-Interval sin(const Interval& v) { return wave(std::sin, v, pi / 2, -pi / 2); }
-Interval cos(const Interval& v) { return wave(std::cos, v, 0, pi); }
+Interval sin(const Interval& v) {
+    if (!is_usual_angle(v)) return any_wave(v);
+    const Quarters quarters(v);
+    return wave(std::sin(v.lo), std::sin(v.hi), quarters.hold(1), quarters.hold(3));
+}
+Interval cos(const Interval& v) {
+    if (!is_usual_angle(v)) return any_wave(v);
+    const Quarters quarters(v);
+    return wave(std::cos(v.lo), std::cos(v.hi), quarters.hold(0), quarters.hold(2));
+}
+Waves sin_and_cos(const Interval& v) {
+    if (!is_usual_angle(v)) return {any_wave(v), any_wave(v)};
+    const Quarters quarters(v);
+    return {wave(std::sin(v.lo), std::sin(v.hi), quarters.hold(1), quarters.hold(3)),
+            wave(std::cos(v.lo), std::cos(v.hi), quarters.hold(0), quarters.hold(2))};
+}
 
 Interval tan(const Interval& v) {
     const bool nan = v.maybe_nan || v.has_infinity();

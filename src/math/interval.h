@@ -106,6 +106,11 @@ Interval log10(const Interval& v);
 
 Interval sin(const Interval& v);
 Interval cos(const Interval& v);
+struct Waves {
+    Interval sin;
+    Interval cos;
+};
+Waves sin_and_cos(const Interval& v);
 Interval tan(const Interval& v);
 Interval asin(const Interval& v);
 Interval acos(const Interval& v);

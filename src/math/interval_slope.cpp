@@ -17,10 +17,12 @@ IntervalSlope chain(const Interval& value, const Interval& derivative, const Int
 
 IntervalSlope operator-(const IntervalSlope& a) { return {-a.value, -a.slope}; }
 IntervalSlope operator+(const IntervalSlope& a, const IntervalSlope& b) {
-    return {a.value + b.value, a.slope + b.slope};
+    if (is_constant(a)) return {a.value + b.value, b.slope};
+    return {a.value + b.value, is_constant(b) ? a.slope : a.slope + b.slope};
 }
 IntervalSlope operator-(const IntervalSlope& a, const IntervalSlope& b) {
-    return {a.value - b.value, a.slope - b.slope};
+    if (is_constant(a)) return {a.value - b.value, -b.slope};
+    return {a.value - b.value, is_constant(b) ? a.slope : a.slope - b.slope};
 }
 IntervalSlope operator*(const IntervalSlope& a, const IntervalSlope& b) {
     if (is_constant(a)) return {a.value * b.value, is_constant(b) ? Interval(0) : a.value * b.slope};
@@ -33,7 +35,9 @@ IntervalSlope operator/(const IntervalSlope& a, const IntervalSlope& b) {
     return {q, (a.slope - q * b.slope) / b.value};
 }
 
-IntervalSlope square(const IntervalSlope& a) { return chain(square(a.value), 2 * a.value, a); }
+IntervalSlope square(const IntervalSlope& a) {
+    return chain(square(a.value), {2 * a.value.lo, 2 * a.value.hi, a.value.maybe_nan}, a);
+}
 IntervalSlope cube(const IntervalSlope& a) { return chain(cube(a.value), 3 * square(a.value), a); }
 
 IntervalSlope abs(const IntervalSlope& a) {
@@ -71,8 +75,14 @@ IntervalSlope exp(const IntervalSlope& a) {
     return chain(value, value, a);
 }
 IntervalSlope log(const IntervalSlope& a) { return chain(log(a.value), 1 / a.value, a); }
-IntervalSlope sin(const IntervalSlope& a) { return chain(sin(a.value), cos(a.value), a); }
-IntervalSlope cos(const IntervalSlope& a) { return chain(cos(a.value), -sin(a.value), a); }
+IntervalSlope sin(const IntervalSlope& a) {
+    const Waves waves = sin_and_cos(a.value);
+    return chain(waves.sin, waves.cos, a);
+}
+IntervalSlope cos(const IntervalSlope& a) {
+    const Waves waves = sin_and_cos(a.value);
+    return chain(waves.cos, -waves.sin, a);
+}
 IntervalSlope tan(const IntervalSlope& a) {
     const Interval value = tan(a.value);
     // Across a pole it falls from one infinity to the other.

@@ -14,8 +14,6 @@ namespace {
 constexpr uint32_t sphere_part = 7;
 constexpr uint32_t on_function = 0;
 
-bool below(double v) { return v < 0.0; }
-
 }  // namespace
 
 double IsosurfaceData::value(const Vec3& p) const {
@@ -49,6 +47,7 @@ struct Isosurface::Span {
 
 /// Finds the zeros along one ray in ascending order: pieces that surely hold none are left out, where the
 /// value surely rises or falls a change of sign is one zero; the others are halved down to the resolution.
+/// Functions with loose bounds are stepped through first.
 class Isosurface::Search {
 public:
     Search(const Isosurface& shape, const ShapeRay& query, double level)
@@ -59,58 +58,130 @@ public:
           least_(shape.resolution_ / glm::length(ray_.direction)),
           steepest_(shape.data_.max_gradient * glm::length(ray_.direction)) {}
 
-    double value(double t) const { return shape_.data_.value(ray_.at(t)) - level_; }
     double least() const { return least_; }
 
-    /// False if `take` ended it.
-    template <class Take>
-    bool run(double a, double fa, double b, double fb, Take& take) const {
-        if (a > t_max_) return false;
-        const Found found = shape_.loose_ ? look_loosely(a, fa, b, fb) : look(a, fa, b, fb);
-        if (found == Found::none) return true;
-        const double middle = 0.5 * (a + b);
-        if (found == Found::one || b - a <= least_ || !(middle > a && middle < b)) {
-            return below(fa) == below(fb) ||
-                   take(bracketed_root([&](double t) { return value(t); }, a, fa, b, fb));
+    /// A place on the ray; its value is computed when it is asked for, its sign may be known before.
+    class Place {
+    public:
+        Place(const Search& search, double t) : t_(t), search_(&search) {}
+        double t() const { return t_; }
+        double f() {
+            if (known_ != Known::value) f_ = search_->value(t_);
+            known_ = Known::value;
+            return f_;
         }
-        const double f = value(middle);
-        return run(a, fa, middle, f, take) && run(middle, f, b, fb, take);
+        bool below() { return known_ == Known::sign ? below_ : f() < 0.0; }
+        void set_below(bool is) {
+            if (known_ != Known::nothing) return;
+            known_ = Known::sign;
+            below_ = is;
+        }
+
+    private:
+        enum class Known : uint8_t { nothing, sign, value };
+        double t_;
+        double f_ = 0.0;
+        bool below_ = false;
+        Known known_ = Known::nothing;
+        const Search* search_;
+    };
+
+    /// Calls begin() when the sign at `a` is cheap to know, then take(t) for every zero, until one of them
+    /// returns false; then it returns false, too.
+    template <class Begin, class Take>
+    bool run(Place& a, Place& b, const Begin& begin, const Take& take) const {
+        // From the front, so that near zeros are found without looking at the whole.
+        if (shape_.loose_) return begin() && step_through(a, b, take);
+        Place middle(*this, 0.5 * (a.t() + b.t()));
+        const Found found = look(a, middle);
+        return begin() && go_on(found, a, middle, take) && halve(middle, b, take);
     }
 
 private:
     enum class Found { none, one, unclear };
 
+    double value(double t) const { return shape_.data_.value(ray_.at(t)) - level_; }
+
+    template <class Take>
+    bool halve(Place& a, Place& b, const Take& take) const {
+        return a.t() <= t_max_ && go_on(shape_.loose_ ? look_loosely(a, b) : look(a, b), a, b, take);
+    }
+
+    template <class Take>
+    bool go_on(Found found, Place& a, Place& b, const Take& take) const {
+        if (found == Found::none) return true;
+        Place middle(*this, 0.5 * (a.t() + b.t()));
+        const bool splits = middle.t() > a.t() && middle.t() < b.t();
+        if (found == Found::one || b.t() - a.t() <= least_ || !splits) {
+            return a.below() == b.below() ||
+                   take(bracketed_root([&](double t) { return value(t); }, a.t(), a.f(), b.t(), b.f()));
+        }
+        return halve(a, middle, take) && halve(middle, b, take);
+    }
+
+    /// In steps as long as the slopes allow, if the value goes on as it did in the last one.
+    template <class Take>
+    bool step_through(const Place& from, Place& end, const Take& take) const {
+        const double longest = (end.t() - from.t()) / 8.0;
+        double falling = 0.0;
+        double looked_to = from.t();
+        for (Place a = from; a.t() < end.t();) {
+            double step = 2.0 * std::abs(a.f()) / (steepest_ + falling);
+            if (step < longest && a.t() >= looked_to) {
+                looked_to = std::min(a.t() + longest, end.t());
+                if (misses_zero(bound(a.t(), looked_to))) step = longest;
+            }
+            step = std::clamp(step, least_, longest);
+            Place b = a.t() + step < end.t() ? Place(*this, a.t() + step) : end;
+            if (!halve(a, b, take)) return false;
+            constexpr double most = 0.9;
+            falling = std::clamp((std::abs(a.f()) - std::abs(b.f())) / (b.t() - a.t()), -most * steepest_,
+                                 steepest_);
+            a = b;
+        }
+        return true;
+    }
+
     /// `one`: no more than one, which the signs at the ends tell.
-    Found look(double a, double fa, double b, double fb) const {
+    Found look(Place& a, Place& b) const {
         std::array<IntervalSlope, 3> place;
         for (int i = 0; i < 3; ++i) {
             const Interval d(ray_.direction[i]);
-            place[static_cast<size_t>(i)] = {Interval(ray_.origin[i]) + Interval(a, b) * d, d};
+            place[static_cast<size_t>(i)] = {Interval(ray_.origin[i]) + Interval(a.t(), b.t()) * d, d};
         }
         const IntervalSlope v = shape_.data_.function->bound_slope(place, 0);
-        if (misses_zero(v.value)) return Found::none;
+        if (misses_zero(v.value)) {
+            a.set_below(v.value.hi < shape_.data_.threshold + level_);
+            b.set_below(a.below());
+            return Found::none;
+        }
         const Interval& s = v.slope;
         if (s.maybe_nan) return Found::unclear;
-        if (s.lo > 0.0 || s.hi < 0.0) return below(fa) == below(fb) ? Found::none : Found::one;
+        if (s.lo > 0.0 || s.hi < 0.0) return a.below() == b.below() ? Found::none : Found::one;
         // The steepest lines from both ends meet here.
-        if (below(fa) != below(fb) || s.has_infinity()) return Found::unclear;
-        const double down = below(fa) ? s.hi : -s.lo;
-        const double up = below(fa) ? -s.lo : s.hi;
-        const double reach = down * up * (b - a);
-        const double height = std::abs(fa) * up + std::abs(fb) * down;
+        if (a.below() != b.below() || s.has_infinity()) return Found::unclear;
+        const double down = a.below() ? s.hi : -s.lo;
+        const double up = a.below() ? -s.lo : s.hi;
+        const double reach = down * up * (b.t() - a.t());
+        const double height = std::abs(a.f()) * up + std::abs(b.f()) * down;
         constexpr double rounding = 1e-9;
         return height > reach * (1.0 + rounding) ? Found::none : Found::unclear;
     }
 
     /// Where slopes are not known but for the user's max_gradient.
-    Found look_loosely(double a, double fa, double b, double fb) const {
-        if (below(fa) == below(fb) && std::abs(fa) + std::abs(fb) > steepest_ * (b - a)) return Found::none;
+    Found look_loosely(Place& a, Place& b) const {
+        const bool clear =
+            a.below() == b.below() && std::abs(a.f()) + std::abs(b.f()) > steepest_ * (b.t() - a.t());
+        return clear ? Found::none : Found::unclear;
+    }
+
+    Interval bound(double a, double b) const {
         std::array<Interval, 3> place;
         for (int i = 0; i < 3; ++i) {
             place[static_cast<size_t>(i)] =
                 Interval(ray_.origin[i]) + Interval(a, b) * Interval(ray_.direction[i]);
         }
-        return misses_zero(shape_.data_.function->bound(place, 0)) ? Found::none : Found::unclear;
+        return shape_.data_.function->bound(place, 0);
     }
 
     bool misses_zero(const Interval& function) const {
@@ -227,22 +298,13 @@ void Isosurface::each_crossing(const ShapeRay& query, Take&& take) const {
     }
     constexpr double share = 1.0 / 64.0;
     if (start == on_function) a = std::min(share * search.least(), 0.5 * span.leave);
-    double fa = search.value(a);
-    if (!data_.open && !on_side && span.enter > 0.0 && below(fa) && !take(span.enter, span.enter_part))
-        return;
-    const double fb = search.value(span.leave);
-    // Steps from the front, so that near crossings are found without looking at the whole.
-    const int steps = loose_ ? 16 : 2;
-    auto function_root = [&](double t) { return take(t, on_function); };
-    const double from = a;
-    for (int i = 1; i <= steps; ++i) {
-        const double b = i == steps ? span.leave : from + (span.leave - from) * i / steps;
-        const double f = i == steps ? fb : search.value(b);
-        if (!search.run(a, fa, b, f, function_root)) return;
-        a = b;
-        fa = f;
-    }
-    if (!data_.open && below(fb)) take(span.leave, span.leave_part);
+    Search::Place from(search, a);
+    Search::Place to(search, span.leave);
+    const bool may_enter = !data_.open && !on_side && span.enter > 0.0;
+    const auto enter = [&] { return !may_enter || !from.below() || take(span.enter, span.enter_part); };
+    const auto function_root = [&](double t) { return take(t, on_function); };
+    if (!search.run(from, to, enter, function_root)) return;
+    if (!data_.open && to.below()) take(span.leave, span.leave_part);
 }
 
 void Isosurface::crossings(const ShapeRay& query, Crossings& out) const {
