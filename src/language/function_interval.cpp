@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <new>
+#include <type_traits>
 #include <vector>
 
 namespace rb {
@@ -16,9 +19,6 @@ using Op = FunctionCode::Op;
 constexpr Interval yes{1, 1};
 constexpr Interval no{0, 0};
 constexpr Interval either_way{0, 1};
-
-/// No variable's number.
-constexpr uint32_t none = 0xffffffff;
 
 Interval truth(bool always, bool never) { return always ? yes : never ? no : either_way; }
 
@@ -60,22 +60,6 @@ Interval decide(Op op, const Interval& a, const Interval& b) {
             return {std::max(is_set(a).lo, is_set(b).lo), std::max(is_set(a).hi, is_set(b).hi)};
         default:
             return compare(op, a, b);
-    }
-}
-
-template <class T>
-T operate(Op op, const T& a, const T& b) {
-    switch (op) {
-        case Op::add:
-            return a + b;
-        case Op::subtract:
-            return a - b;
-        case Op::multiply:
-            return a * b;
-        case Op::divide:
-            return a / b;
-        default:
-            return jumping(a, decide(op, value_of(a), value_of(b)));
     }
 }
 
@@ -232,73 +216,89 @@ T loop(const FunctionCode& body, bool is_sum, uint32_t variable, std::span<T> va
     return total;
 }
 
-/// `names`: which variable a value on the stack is, so that its square is known as one.
+/// The stack holds the addresses of values: of variables, and of what the instructions make, each in its own
+/// place of `made`. So nothing is copied, which would wait for what has only just been stored in other
+/// pieces, and a variable times itself is known as its square.
 template <class T>
-T bound_on(const FunctionCode& code, std::span<T> variable, T* values, uint32_t* names) {
+const T& bound_on(const FunctionCode& code, std::span<T> variable, T* made, const T** stack) {
     size_t size = 0;
-    const auto push = [&](const T& v, uint32_t name = none) {
-        values[size] = v;
-        names[size++] = name;
-    };
     for (const FunctionCode::Instruction& i : code.instructions) {
         const auto keyword = static_cast<Keyword>(i.index);
+        if (i.op == Op::variable) {
+            stack[size++] = &variable[i.index];
+            continue;
+        }
         const size_t taken =
-            i.op == Op::constant || i.op == Op::variable                                            ? 0
+            i.op == Op::constant                                                                    ? 0
             : i.op == Op::negate || i.op == Op::call1                                               ? 1
             : i.op == Op::call3 || i.op == Op::call4 || i.op == Op::min_max || i.op == Op::function ? i.count
                                                                                                     : 2;
         size -= taken;
-        const std::span<const T> a(values + size, taken);
+        const T* const* a = stack + size;
+        const auto list = [&] {
+            for (size_t k = 0; k < taken; ++k) new (made + 1 + k) T(*a[k]);
+            return std::span<const T>(made + 1, taken);
+        };
         switch (i.op) {
             case Op::constant:
-                push(i.value);
-                break;
-            case Op::variable:
-                push(variable[i.index], i.index);
+                new (made) T(i.value);
                 break;
             case Op::negate:
-                push(-a[0]);
+                new (made) T(-*a[0]);
                 break;
             case Op::call1:
-                push(call(keyword, a[0]));
+                new (made) T(call(keyword, *a[0]));
                 break;
             case Op::call2:
-                push(call(keyword, a[0], a[1]));
+                new (made) T(call(keyword, *a[0], *a[1]));
                 break;
             case Op::call3:
             case Op::call4:
             case Op::min_max:
-                push(call_list<T>(keyword, a));
+                new (made) T(call_list<T>(keyword, list()));
                 break;
             case Op::function:
-                push(call_function<T>(*code.functions[i.index], a, i.component));
+                new (made) T(call_function<T>(*code.functions[i.index], list(), i.component));
                 break;
             case Op::sum:
             case Op::product:
-                push(loop<T>(code.bodies[i.count], i.op == Op::sum, i.index, variable, value_of(a[0]),
-                             value_of(a[1])));
+                new (made) T(loop<T>(code.bodies[i.count], i.op == Op::sum, i.index, variable,
+                                     value_of(*a[0]), value_of(*a[1])));
                 break;
-            default: {
-                const bool twice =
-                    i.op == Op::multiply && names[size] != none && names[size] == names[size + 1];
-                push(twice ? square(a[0]) : operate(i.op, a[0], a[1]));
-            }
+            case Op::add:
+                new (made) T(*a[0] + *a[1]);
+                break;
+            case Op::subtract:
+                new (made) T(*a[0] - *a[1]);
+                break;
+            case Op::multiply:
+                new (made) T(a[0] == a[1] ? square(*a[0]) : *a[0] * *a[1]);
+                break;
+            case Op::divide:
+                new (made) T(*a[0] / *a[1]);
+                break;
+            default:
+                new (made) T(jumping(*a[0], decide(i.op, value_of(*a[0]), value_of(*a[1]))));
         }
+        stack[size++] = made++;
     }
-    return values[0];
+    return *stack[0];
 }
 
 template <class T>
 T bound_with_stack(const FunctionCode& code, std::span<T> variable) {
-    constexpr size_t room = 16;
-    if (code.stack + 1 <= room) {
-        std::array<T, room> values;
-        std::array<uint32_t, room> names;
-        return bound_on<T>(code, variable, values.data(), names.data());
+    static_assert(std::is_trivially_destructible_v<T>);
+    constexpr size_t room = 40;
+    // The arguments of a call stand in a row behind its result.
+    const size_t needed = code.instructions.size() + code.stack;
+    if (needed <= room) {
+        std::array<const T*, room> stack;
+        alignas(T) std::array<std::byte, room * sizeof(T)> made;
+        return bound_on<T>(code, variable, reinterpret_cast<T*>(made.data()), stack.data());
     }
-    std::vector<T> values(code.stack + 1);
-    std::vector<uint32_t> names(code.stack + 1);
-    return bound_on<T>(code, variable, values.data(), names.data());
+    std::vector<const T*> stack(code.stack + 1);
+    std::vector<T> made(needed);
+    return bound_on<T>(code, variable, made.data(), stack.data());
 }
 
 template <class T>

@@ -120,22 +120,9 @@ Interval operator/(const Interval& a, const Interval& b) {
     return rounded(lo, hi, nan);
 }
 
-Interval square(const Interval& v) {
-    const Interval a = abs(v);
-    Interval out = rounded(a.lo * a.lo, a.hi * a.hi, v.maybe_nan);
-    out.lo = std::max(out.lo, 0.0);
-    return out;
-}
-
 Interval cube(const Interval& v) {
     Interval out = rounded(v.lo * v.lo * v.lo, v.hi * v.hi * v.hi, v.maybe_nan);
     return {next_below(out.lo), next_above(out.hi), v.maybe_nan};
-}
-
-Interval abs(const Interval& v) {
-    if (v.lo >= 0) return v;
-    if (v.hi <= 0) return -v;
-    return {0, std::max(-v.lo, v.hi), v.maybe_nan};
 }
 
 Interval min(const Interval& a, const Interval& b) {

@@ -83,13 +83,22 @@ inline Interval& operator+=(Interval& a, const Interval& b) { return a = a + b; 
 inline Interval& operator-=(Interval& a, const Interval& b) { return a = a - b; }
 inline Interval& operator*=(Interval& a, const Interval& b) { return a = a * b; }
 
+inline Interval abs(const Interval& v) {
+    if (v.lo >= 0) return v;
+    if (v.hi <= 0) return -v;
+    return {0, -v.lo > v.hi ? -v.lo : v.hi, v.maybe_nan};
+}
+
 /// v * v with the same v twice.
-Interval square(const Interval& v);
+inline Interval square(const Interval& v) {
+    const Interval a = abs(v);
+    const double lo = next_below(a.lo * a.lo);
+    return {lo > 0 ? lo : 0, next_above(a.hi * a.hi), v.maybe_nan};
+}
 inline double square(double v) { return v * v; }
 Interval cube(const Interval& v);
 inline double cube(double v) { return v * v * v; }
 
-Interval abs(const Interval& v);
 /// The operand that C's `a < b ? a : b` (`a < b ? b : a`) chooses; where one may be nan, either.
 Interval min(const Interval& a, const Interval& b);
 Interval max(const Interval& a, const Interval& b);

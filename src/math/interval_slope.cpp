@@ -4,40 +4,12 @@
 
 namespace rb {
 
-namespace {
-
-bool is_constant(const IntervalSlope& a) { return a.slope.is_point() && a.slope.lo == 0; }
-
-/// By the chain rule; a constant stays one however steep the function is.
-IntervalSlope chain(const Interval& value, const Interval& derivative, const IntervalSlope& a) {
-    return {value, is_constant(a) ? Interval(0) : derivative * a.slope};
-}
-
-}  // namespace
-
-IntervalSlope operator-(const IntervalSlope& a) { return {-a.value, -a.slope}; }
-IntervalSlope operator+(const IntervalSlope& a, const IntervalSlope& b) {
-    if (is_constant(a)) return {a.value + b.value, b.slope};
-    return {a.value + b.value, is_constant(b) ? a.slope : a.slope + b.slope};
-}
-IntervalSlope operator-(const IntervalSlope& a, const IntervalSlope& b) {
-    if (is_constant(a)) return {a.value - b.value, -b.slope};
-    return {a.value - b.value, is_constant(b) ? a.slope : a.slope - b.slope};
-}
-IntervalSlope operator*(const IntervalSlope& a, const IntervalSlope& b) {
-    if (is_constant(a)) return {a.value * b.value, is_constant(b) ? Interval(0) : a.value * b.slope};
-    if (is_constant(b)) return {a.value * b.value, a.slope * b.value};
-    return {a.value * b.value, a.slope * b.value + a.value * b.slope};
-}
 IntervalSlope operator/(const IntervalSlope& a, const IntervalSlope& b) {
     const Interval q = a.value / b.value;
     if (is_constant(b)) return {q, is_constant(a) ? Interval(0) : a.slope / b.value};
     return {q, (a.slope - q * b.slope) / b.value};
 }
 
-IntervalSlope square(const IntervalSlope& a) {
-    return chain(square(a.value), {2 * a.value.lo, 2 * a.value.hi, a.value.maybe_nan}, a);
-}
 IntervalSlope cube(const IntervalSlope& a) { return chain(cube(a.value), 3 * square(a.value), a); }
 
 IntervalSlope abs(const IntervalSlope& a) {

@@ -26,16 +26,34 @@ struct IntervalSlope {
     }
 };
 
-IntervalSlope operator-(const IntervalSlope& a);
-IntervalSlope operator+(const IntervalSlope& a, const IntervalSlope& b);
-IntervalSlope operator-(const IntervalSlope& a, const IntervalSlope& b);
-IntervalSlope operator*(const IntervalSlope& a, const IntervalSlope& b);
+/// Its slope is exactly 0.
+inline bool is_constant(const IntervalSlope& a) { return a.slope.is_point() && a.slope.lo == 0; }
+
+inline IntervalSlope operator-(const IntervalSlope& a) { return {-a.value, -a.slope}; }
+inline IntervalSlope operator+(const IntervalSlope& a, const IntervalSlope& b) {
+    if (is_constant(a)) return {a.value + b.value, b.slope};
+    return {a.value + b.value, is_constant(b) ? a.slope : a.slope + b.slope};
+}
+inline IntervalSlope operator-(const IntervalSlope& a, const IntervalSlope& b) { return a + -b; }
+inline IntervalSlope operator*(const IntervalSlope& a, const IntervalSlope& b) {
+    const Interval value = a.value * b.value;
+    if (is_constant(a)) return {value, is_constant(b) ? Interval(0) : a.value * b.slope};
+    if (is_constant(b)) return {value, a.slope * b.value};
+    return {value, a.slope * b.value + a.value * b.slope};
+}
 IntervalSlope operator/(const IntervalSlope& a, const IntervalSlope& b);
 inline IntervalSlope& operator+=(IntervalSlope& a, const IntervalSlope& b) { return a = a + b; }
 inline IntervalSlope& operator-=(IntervalSlope& a, const IntervalSlope& b) { return a = a - b; }
 inline IntervalSlope& operator*=(IntervalSlope& a, const IntervalSlope& b) { return a = a * b; }
 
-IntervalSlope square(const IntervalSlope& a);
+/// By the chain rule; a constant stays one however steep the function is.
+inline IntervalSlope chain(const Interval& value, const Interval& derivative, const IntervalSlope& a) {
+    return {value, is_constant(a) ? Interval(0) : derivative * a.slope};
+}
+
+inline IntervalSlope square(const IntervalSlope& a) {
+    return chain(square(a.value), {2 * a.value.lo, 2 * a.value.hi, a.value.maybe_nan}, a);
+}
 IntervalSlope cube(const IntervalSlope& a);
 IntervalSlope abs(const IntervalSlope& a);
 IntervalSlope min(const IntervalSlope& a, const IntervalSlope& b);

@@ -8,6 +8,9 @@ namespace rb {
 PNorm::PNorm(double p) : p_(p), root_(1.0 / p) {
     constexpr int most_factors = 64;
     if (p <= most_factors && std::trunc(p) == p) whole_ = static_cast<int>(p);
+    for (const int squares : {1, 2, 3}) {
+        if (whole_ == 1 << squares) squares_ = squares;
+    }
 }
 
 double PNorm::power(double base) const {
@@ -20,11 +23,16 @@ double PNorm::power(double base) const {
     return out;
 }
 
+double PNorm::root(double base) const {
+    if (squares_ == 0) return whole_ == 1 ? base : std::pow(base, root_);
+    for (int i = 0; i < squares_; ++i) base = std::sqrt(base);
+    return base;
+}
+
 double PNorm::operator()(double a, double b) const {
     const double most = std::max(a, b);
     if (!(most > 0.0)) return 0.0;
-    const double sum = 1.0 + power(std::min(a, b) / most);
-    return whole_ == 1 ? most * sum : most * std::pow(sum, root_);
+    return most * root(1.0 + power(std::min(a, b) / most));
 }
 
 PNorm::Growth PNorm::growth(double a, double b) const {
@@ -33,7 +41,7 @@ PNorm::Growth PNorm::growth(double a, double b) const {
     const double ratio = std::min(a, b) / most;
     const double small = power(ratio);
     const double sum = 1.0 + small;
-    const double stretch = whole_ == 1 ? sum : std::pow(sum, root_);
+    const double stretch = root(sum);
     // (a / value)^(p - 1).
     const double by_most = stretch / sum;
     double by_least = 0.0;

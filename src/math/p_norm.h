@@ -23,10 +23,12 @@ public:
 
 private:
     double power(double base) const;
+    double root(double base) const;
 
     double p_;
-    double root_;    ///< 1 / p
-    int whole_ = 0;  ///< p, if it is a small whole number
+    double root_;      ///< 1 / p
+    int whole_ = 0;    ///< p, if it is a small whole number
+    int squares_ = 0;  ///< k, if p is 2^k with a small k > 0: its root is k square roots
 };
 
 }  // namespace rb
