@@ -35,7 +35,7 @@ struct Lattice {
             floor_each(p, whole);
         }
         set_weights(p - __builtin_convertvector(whole, Quad), weights);
-        cell = (whole + 10000 % 4096) & 4095;
+        cell = ((whole & 4095) + 10000 % 4096) & 4095;
     }
     static void floor_each(const Quad& p, IntQuad& whole);
     /// Of the cell's corners.
