@@ -45,6 +45,7 @@ patterns() {
 # name, then the texture, of which each object has its own scale
 textures() {
     local word
+    echo "one_colour pigment { rgb 0.5 }"
     echo "granite pigment { granite color_map { [0 rgb 0.2] [1 rgb 1] } }"
     echo "wrinkles pigment { wrinkles color_map { [0 rgb 0.2] [1 rgb 1] } }"
     echo "bozo,6_octaves pigment { bozo turbulence 0.8 octaves 6 color_map { [0 rgb <0.3, 0.4, 0.9>] [1 rgb 1] } }"
