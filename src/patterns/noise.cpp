@@ -12,7 +12,8 @@ namespace {
 /// What turbulence sums: noise about zero for the generators 2 and 3.
 struct Centered {
     bool centered;
-    RB_INLINE void operator()(Quad& value, int octave) const {
+    template <class T>
+    RB_INLINE void operator()(T& value, int octave) const {
         if (!centered) return;
         value = 2.0 * value - 0.5;
         if (octave == 0) clamp_unit(value);
@@ -32,6 +33,10 @@ RB_FOR_EACH_TARGET void vector_octaves(std::span<const Vec3> points, const Octav
         [values](size_t i, const Vec3& sum) RB_INLINED { values[i] = sum; });
 }
 
+RB_FOR_EACH_TARGET Vec3 vector_octaves(const Vec3& p, const Octaves& octaves) {
+    return sum_vector_octaves(p, octaves);
+}
+
 }  // namespace
 
 void Lattice::floor_each(const Quad& p, IntQuad& whole) {
@@ -40,9 +45,9 @@ void Lattice::floor_each(const Quad& p, IntQuad& whole) {
 
 void GradientLattice::floor_each(const Quad& t, Quad& whole, IntQuad& cell) {
     for (int i = 0; i < 4; ++i) {
-        whole[i] = std::floor(t[i]);
-        const int64_t number = std::abs(whole[i]) < 9e18 ? static_cast<int64_t>(whole[i]) : 0;
-        cell[i] = static_cast<int32_t>(number & mask);
+        uint32_t number = 0;
+        whole[i] = floor_of(t[i], number);
+        cell[i] = static_cast<int32_t>(number);
     }
 }
 
@@ -78,17 +83,15 @@ void vector_noise(std::span<const Vec3> points, double scale, std::span<Vec3> va
     vector_octaves(points, single(scale), values);
 }
 
-double noise(const Vec3& p, int generator) {
+RB_FOR_EACH_TARGET double noise(const Vec3& p, int generator) {
     double value = 0;
-    noise({&p, 1}, 1.0, generator, {&value, 1});
+    with_noise(generator, [&](const auto& kind) RB_INLINED {
+        value = sum_octaves(kind, p, Octaves{}, [](double&, int) RB_INLINED {});
+    });
     return value;
 }
 
-Vec3 vector_noise(const Vec3& p) {
-    Vec3 value{0.0};
-    vector_noise({&p, 1}, 1.0, {&value, 1});
-    return value;
-}
+Vec3 vector_noise(const Vec3& p) { return vector_octaves(p, Octaves{}); }
 
 int octave_count(const TurbulenceWarp& shape) { return std::clamp(shape.octaves, 1, 10); }
 
@@ -103,16 +106,16 @@ void vector_turbulence(std::span<const Vec3> points, const TurbulenceWarp& shape
     vector_octaves(points, Octaves::of(shape), values);
 }
 
-double turbulence(const Vec3& p, const TurbulenceWarp& shape, int generator) {
+RB_FOR_EACH_TARGET double turbulence(const Vec3& p, const TurbulenceWarp& shape, int generator) {
     double value = 0;
-    turbulence({&p, 1}, shape, generator, {&value, 1});
+    with_noise(generator, [&](const auto& kind) RB_INLINED {
+        value = sum_octaves(kind, p, Octaves::of(shape), Centered{kind.centered});
+    });
     return value;
 }
 
 Vec3 vector_turbulence(const Vec3& p, const TurbulenceWarp& shape) {
-    Vec3 value{0.0};
-    vector_turbulence({&p, 1}, shape, {&value, 1});
-    return value;
+    return vector_octaves(p, Octaves::of(shape));
 }
 
 std::span<const WaveSource> wave_sources(int count) {

@@ -56,14 +56,21 @@ struct PointWeights {
     Quad z[2];
 };
 
+// GCC 12 takes the parts of vectors that it writes one after the other for parts that are read before.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 /// `plain`, with `sloped` in lane `Lane`.
 template <int Lane>
 RB_INLINE void join(double plain, double sloped, Quad& out) {
-    Quad slope;
-    spread(plain, out);
-    spread(sloped, slope);
-    out = __builtin_shufflevector(out, slope, 0, Lane == 1 ? 5 : 1, Lane == 2 ? 6 : 2, Lane == 3 ? 7 : 3);
+    const Quad most = {plain, plain, plain, plain};
+    const Quad slope = {sloped, sloped, sloped, sloped};
+    out = __builtin_shufflevector(most, slope, 0, Lane == 1 ? 5 : 1, Lane == 2 ? 6 : 2, Lane == 3 ? 7 : 3);
 }
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 RB_INLINE void weights_of(const QuadPlace& place, int point, PointWeights& out) {
     const auto at = [point](const double(&weights)[4]) RB_INLINED { return weights[point]; };
@@ -85,6 +92,32 @@ RB_INLINE void mix_rows(const PointWeights& weight, const CornerRows& rows, int 
     const Quad below = weight.x[0] * column[0] + weight.x[1] * column[1];
     const Quad above = weight.x[0] * column[2] + weight.x[1] * column[3];
     out = weight.y[0] * below + weight.y[1] * above;
+}
+
+/// Where one point lies.
+struct PointPlace {
+    uint32_t x;
+    uint32_t y;
+    uint32_t z;
+    PointWeights weights;
+};
+
+/// `f`: the way from the near corner.
+template <int Lane>
+RB_INLINE void set_weights(double f, Quad (&out)[2]) {
+    const double far = f * f * (3.0 - 2.0 * f);
+    const double near = 1.0 - far;
+    join<Lane>(near, f * near, out[0]);
+    join<Lane>(far, (f - 1.0) * far, out[1]);
+}
+
+/// `HasValue` false: rows without a value.
+template <bool HasValue>
+RB_INLINE double mix(const PointPlace& place, const CornerRows& rows, int offset) {
+    Quad parts;
+    mix_rows(place.weights, rows, offset, parts);
+    const double first = HasValue ? parts[0] + parts[1] : parts[1];
+    return first + (parts[2] + parts[3]);
 }
 
 RB_INLINE bool in_one_cell(const QuadPlace& place) {

@@ -38,6 +38,12 @@ struct Lattice {
         cell = ((whole & 4095) + 10000 % 4096) & 4095;
     }
     static void floor_each(const Quad& p, IntQuad& whole);
+    template <int Lane>
+    static RB_INLINE void place_axis(double p, uint32_t& cell, Quad (&weights)[2]) {
+        const int32_t whole = lattice_floor(p);
+        set_weights<Lane>(p - whole, weights);
+        cell = (static_cast<uint32_t>(whole) + 10000u) & 4095u;
+    }
     /// Of the cell's corners.
     RB_INLINE void operator()(uint32_t x, uint32_t y, uint32_t z, CornerRows& rows) const {
         const uint32_t first = hash_table[x];
@@ -59,6 +65,17 @@ struct GradientLattice {
     const GradientTables& tables = gradient_tables();
 
     static void floor_each(const Quad& t, Quad& whole, IntQuad& cell);
+    static RB_INLINE double floor_of(double t, uint32_t& cell) {
+        const double whole = std::floor(t);
+        const int64_t number = std::abs(whole) < 9e18 ? static_cast<int64_t>(whole) : 0;
+        cell = static_cast<uint32_t>(number) & mask;
+        return whole;
+    }
+    template <int Lane>
+    static RB_INLINE void place_axis(double p, uint32_t& cell, Quad (&weights)[2]) {
+        const double t = p + 10000000.023157213;
+        set_weights<Lane>(t - floor_of(t, cell), weights);
+    }
 
     static RB_INLINE void place_axis(const Quad& p, bool in_lanes, IntQuad& cell, AxisWeights& weights) {
         const Quad t = p + 10000000.023157213;
@@ -99,35 +116,45 @@ RB_INLINE void place(const Cells&, const QuadPoint& p, double scale, bool in_lan
     Cells::place_axis(scale * p.z, in_lanes, out.z, out.along[2]);
 }
 
-/// One kind of noise for each generator, so that loops do not ask which one. Values in [0, 1].
+/// One point times `scale` in its cell.
+template <class Cells>
+RB_INLINE void place(const Cells&, const Vec3& p, double scale, PointPlace& out) {
+    Cells::template place_axis<1>(scale * p.x, out.x, out.weights.x);
+    Cells::template place_axis<2>(scale * p.y, out.y, out.weights.y);
+    Cells::template place_axis<3>(scale * p.z, out.z, out.weights.z);
+}
+
+// One kind of noise for each generator, so that loops do not ask which one. `into_range` takes what was mixed
+// (a number or a Quad) to [0, 1].
+
 struct OriginalNoise {
     static constexpr bool centered = false;
+    static constexpr bool has_value = true;
     Lattice cells;
-    RB_INLINE void operator()(const QuadPlace& at, Quad& out) const {
-        Quad value[1];
-        mix<1, true>(at, cells, 0, value);
-        out = value[0] + 0.5;
-        clamp_unit(out);
+    template <class T>
+    static RB_INLINE void into_range(T& value) {
+        value = value + 0.5;
+        clamp_unit(value);
     }
 };
 struct RangeCorrectedNoise {
     static constexpr bool centered = true;  ///< around one half; sums of octaves move it to zero
+    static constexpr bool has_value = true;
     Lattice cells;
-    RB_INLINE void operator()(const QuadPlace& at, Quad& out) const {
-        Quad value[1];
-        mix<1, true>(at, cells, 0, value);
-        out = (value[0] + 1.05242) * 0.48985582;
-        clamp_unit(out);
+    template <class T>
+    static RB_INLINE void into_range(T& value) {
+        value = (value + 1.05242) * 0.48985582;
+        clamp_unit(value);
     }
 };
 struct GradientNoise {
     static constexpr bool centered = true;
+    static constexpr bool has_value = false;
     GradientLattice cells;
-    RB_INLINE void operator()(const QuadPlace& at, Quad& out) const {
-        Quad value[1];
-        mix<1, false>(at, cells, 0, value);
-        out = 0.5 * (1.59 * value[0] + 0.985);
-        clamp_unit(out);
+    template <class T>
+    static RB_INLINE void into_range(T& value) {
+        value = 0.5 * (1.59 * value + 0.985);
+        clamp_unit(value);
     }
 };
 
@@ -189,11 +216,12 @@ RB_INLINE void sum_octaves(const Noise& noise, std::span<const Vec3> points, con
                 place(noise.cells, block.points[k], octaves.scale[i], block.in_lanes[k], at[k]);
             }
             for (size_t k = 0; k < block.fours; ++k) {
-                Quad value;
-                noise(at[k], value);
-                fold(value, i);
-                value *= octaves.weight[i];
-                sum[k] = i == 0 ? value : sum[k] + value;
+                Quad value[1];
+                mix<1, Noise::has_value>(at[k], noise.cells, 0, value);
+                noise.into_range(value[0]);
+                fold(value[0], i);
+                value[0] *= octaves.weight[i];
+                sum[k] = i == 0 ? value[0] : sum[k] + value[0];
             }
         }
         for (size_t i = first; i < std::min(first + 16, points.size()); ++i)
@@ -234,6 +262,40 @@ RB_INLINE void sum_vector_octaves(std::span<const Vec3> points, const Octaves& o
             take(i, Vec3{four.x[i % 4], four.y[i % 4], four.z[i % 4]});
         }
     }
+}
+
+/// The sum of sum_octaves() at one point.
+template <class Noise, class Fold>
+RB_INLINE double sum_octaves(const Noise& noise, const Vec3& p, const Octaves& octaves, const Fold& fold) {
+    double sum = 0;
+    for (int i = 0; i < octaves.count; ++i) {
+        PointPlace at;
+        place(noise.cells, p, octaves.scale[i], at);
+        CornerRows rows;
+        noise.cells(at.x, at.y, at.z, rows);
+        double value = mix<Noise::has_value>(at, rows, 0);
+        noise.into_range(value);
+        fold(value, i);
+        value *= octaves.weight[i];
+        sum = i == 0 ? value : sum + value;
+    }
+    return sum;
+}
+
+/// The sum of sum_vector_octaves() at one point, not folded.
+RB_INLINE Vec3 sum_vector_octaves(const Vec3& p, const Octaves& octaves) {
+    const Lattice cells;
+    Vec3 sum{0.0};
+    for (int i = 0; i < octaves.count; ++i) {
+        PointPlace at;
+        place(cells, p, octaves.scale[i], at);
+        CornerRows rows;
+        cells(at.x, at.y, at.z, rows);
+        const Vec3 value = octaves.weight[i] *
+                           Vec3{mix<true>(at, rows, 0), mix<true>(at, rows, 16), mix<true>(at, rows, 32)};
+        sum = i == 0 ? value : sum + value;
+    }
+    return sum;
 }
 
 /// Calls `use` with the noise of a generator.

@@ -217,9 +217,8 @@ TEST(NoiseTwin, NoiseOfAllGenerators) {
                 expect_values(batch, values, [&](const Vec3& p) { return twin(scale * p, g); });
             });
         }
-        each_batch(points, [&](std::span<const Vec3> batch) {
-            EXPECT_TRUE(same(noise(batch[0], g), twin(batch[0], g)));
-        });
+        for (const Vec3& p : points)
+            ASSERT_TRUE(same(noise(p, g), twin(p, g))) << p.x << ' ' << p.y << ' ' << p.z;
     }
 }
 
@@ -242,13 +241,20 @@ TEST(NoiseTwin, VectorNoiseAndTurbulence) {
         };
         vector_noise(batch, 1.7, values);
         expect_vectors([](const Vec3& p) { return vector_twin(1.7 * p); });
+        for (size_t i = 0; i < batch.size(); ++i) values[i] = vector_noise(batch[i]);
+        expect_vectors(vector_twin);
         for (const TurbulenceWarp& shape : {TurbulenceWarp{}, odd, shrinking, once}) {
             vector_turbulence(batch, shape, values);
+            expect_vectors([&](const Vec3& p) { return vector_turbulence_twin(p, shape); });
+            for (size_t i = 0; i < batch.size(); ++i) values[i] = vector_turbulence(batch[i], shape);
             expect_vectors([&](const Vec3& p) { return vector_turbulence_twin(p, shape); });
             std::vector<double> sums(batch.size());
             for (int g = 1; g <= 3; ++g) {
                 turbulence(batch, shape, g, sums);
-                expect_values(batch, sums, [&](const Vec3& p) { return turbulence_twin(p, shape, g); });
+                const auto expected = [&](const Vec3& p) { return turbulence_twin(p, shape, g); };
+                expect_values(batch, sums, expected);
+                for (size_t i = 0; i < batch.size(); ++i) sums[i] = turbulence(batch[i], shape, g);
+                expect_values(batch, sums, expected);
             }
         }
     });
@@ -264,6 +270,22 @@ TEST(NoiseTwin, GraniteAndWrinkles) {
             expect_values(batch, values, [&](const Vec3& p) { return granite_twin(p, g); });
             wrinkles.pattern->evaluate({wrinkles.modifiers, g}, batch, values);
             expect_values(batch, values, [&](const Vec3& p) { return wrinkles_twin(p, g); });
+        }
+    });
+}
+
+TEST(NoiseTwin, WrinklesPushNormals) {
+    const Normal wrinkles = written_normal("wrinkles 0.3");
+    each_batch(all_sorts_of_points(), [&](std::span<const Vec3> batch) {
+        std::vector<Vec3> normals(batch.size(), Vec3{0.0, 1.0, 0.0});
+        ASSERT_TRUE(wrinkles.pattern->perturb({wrinkles.modifiers, 2}, 0.3f, batch, normals));
+        for (size_t i = 0; i < batch.size(); ++i) {
+            Vec3 sum{0.0};
+            for (double scale = 1; scale < 1024; scale *= 2) {
+                sum += 1.0 / scale * glm::abs(vector_twin(scale * batch[i]));
+            }
+            const Vec3 expected = Vec3{0.0, 1.0, 0.0} + static_cast<double>(0.3f) * sum;
+            for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(same(normals[i][axis], expected[axis]));
         }
     });
 }
