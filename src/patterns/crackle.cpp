@@ -1,6 +1,7 @@
 // crackle [form <v>] [metric f] [offset f] [solid] (manual 3.4.7.1.11; Worley, "A Cellular Texture Basis
 // Function"): distances to the nearest random points.
 #include "patterns/feature_points.h"
+#include "patterns/quad.h"
 
 #include <limits>
 
@@ -15,6 +16,39 @@ struct CrackleShape {
     bool solid = false;
 };
 
+/// Keeps the three least numbers of each lane, in order.
+RB_INLINE void keep_least(const Quad& from, Quad (&least)[3]) {
+    Quad number = from;
+    for (Quad& lanes : least) {
+        const Quad smaller = number < lanes ? number : lanes;
+        number = number < lanes ? lanes : number;
+        lanes = smaller;
+    }
+}
+
+/// The three smallest squares of distances from a finite point, in order.
+RB_FOR_EACH_TARGET void least_squares(const Vec3& p, const FeatureLanes& features, double (&out)[3]) {
+    Quad least[3];
+    for (Quad& lanes : least) spread(std::numeric_limits<double>::max(), lanes);
+    for (size_t i = 0; i < FeatureLanes::size; i += 4) {
+        Quad x;
+        Quad y;
+        Quad z;
+        load(&features.x[i], x);
+        load(&features.y[i], y);
+        load(&features.z[i], z);
+        x -= p.x;
+        y -= p.y;
+        z -= p.z;
+        keep_least(x * x + y * y + z * z, least);
+    }
+    const Quad opposite[3] = {least[0], least[1], least[2]};
+    for (const Quad& q : opposite) keep_least(__builtin_shufflevector(q, q, 2, 3, 0, 1), least);
+    const Quad neighbour[3] = {least[0], least[1], least[2]};
+    for (const Quad& q : neighbour) keep_least(__builtin_shufflevector(q, q, 1, 0, 3, 2), least);
+    for (size_t k = 0; k < 3; ++k) out[k] = least[k][0];
+}
+
 class Crackle final : public Pattern {
 public:
     explicit Crackle(const CrackleShape& chosen) : shape(chosen) {}
@@ -26,8 +60,13 @@ public:
     void evaluate(const PatternContext& context, std::span<const Vec3> points,
                   std::span<double> values) const override {
         NearFeatures features;
+        const bool plain = shape.metric == 2.0 && !shape.solid;
         for (size_t i = 0; i < points.size(); ++i) {
-            const Nearest nearest = nearest_to(points[i], features.around(FeatureCell::of(points[i])));
+            const Vec3& p = points[i];
+            const bool quick = plain && std::isfinite(p.x + p.y + p.z);
+            const FeatureCell cell = FeatureCell::of(p);
+            const Nearest nearest = quick ? nearest_by_square(p, features.lanes_around(cell))
+                                          : nearest_to(p, features.around(cell));
             values[i] =
                 clamp01(shape.solid ? noise(nearest.point, context.noise_generator) : combined(nearest));
         }
@@ -64,6 +103,13 @@ private:
             }
         }
         return n;
+    }
+
+    /// The sums of nearest_to(), for metric 2.
+    static Nearest nearest_by_square(const Vec3& p, const FeatureLanes& features) {
+        Nearest nearest{{}, p};
+        least_squares(p, features, nearest.sum);
+        return nearest;
     }
 
     double combined(const Nearest& nearest) const {

@@ -1,6 +1,7 @@
 #include "patterns/feature_points.h"
 
 #include <cstdlib>
+#include <limits>
 
 namespace rb {
 
@@ -21,13 +22,28 @@ const std::array<CellOffset, 81>& near_cells() {
     return offsets;
 }
 
+NearFeatures::NearFeatures() {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    for (auto* axis : {&lanes_.x, &lanes_.y, &lanes_.z}) axis->fill(far);
+}
+
 const std::array<Vec3, 81>& NearFeatures::around(const FeatureCell& cell) {
     if (filled_ && cell == cell_) return points_;
     const auto& offsets = near_cells();
-    for (size_t i = 0; i < offsets.size(); ++i) points_[i] = cell.point_at(offsets[i], random_);
+    for (size_t i = 0; i < offsets.size(); ++i) {
+        points_[i] = cell.point_at(offsets[i], random_);
+        lanes_.x[i] = points_[i].x;
+        lanes_.y[i] = points_[i].y;
+        lanes_.z[i] = points_[i].z;
+    }
     cell_ = cell;
     filled_ = true;
     return points_;
+}
+
+const FeatureLanes& NearFeatures::lanes_around(const FeatureCell& cell) {
+    around(cell);
+    return lanes_;
 }
 
 }  // namespace rb

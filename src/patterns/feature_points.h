@@ -40,16 +40,29 @@ struct FeatureCell {
     }
 };
 
+/// The feature points around a cell, coordinate by coordinate; the last three are infinitely far away, to
+/// make up fours.
+struct FeatureLanes {
+    static constexpr size_t size = 84;
+    alignas(32) std::array<double, size> x{};
+    alignas(32) std::array<double, size> y{};
+    alignas(32) std::array<double, size> z{};
+};
+
 /// The 81 feature points around a cell, kept while successive points lie in the same cell.
 class NearFeatures {
 public:
+    NearFeatures();
     const std::array<Vec3, 81>& around(const FeatureCell& cell);
+    /// The same points.
+    const FeatureLanes& lanes_around(const FeatureCell& cell);
 
 private:
     const UniformTable& random_ = uniform_table();
     bool filled_ = false;
     FeatureCell cell_;
     std::array<Vec3, 81> points_{};
+    FeatureLanes lanes_;
 };
 
 }  // namespace rb

@@ -1,33 +1,33 @@
 // granite (manual 3.4.7.1.18): six octaves of noise folded at one half.
-#include "base/scratch.h"
 #include "patterns/formula.h"
-#include "patterns/noise.h"
-
-#include <algorithm>
+#include "patterns/noise_lanes.h"
 
 namespace rb {
 
 namespace {
+
+/// The distance of four noise values from one half.
+struct Folded {
+    bool centered;
+    RB_INLINE void operator()(Quad& value, int) const {
+        set_magnitude(centered ? 1.0 - 2.0 * value : 0.5 - value, value);
+        if (centered) value = 0.5 < value ? Quad{} + 0.5 : value;
+    }
+};
+
+RB_FOR_EACH_TARGET void granite_values(std::span<const Vec3> points, int generator,
+                                       std::span<double> values) {
+    with_noise(generator, [&](const auto& noise) RB_INLINED {
+        sum_octaves(noise, points, Octaves::doubling(6, 4.0), Folded{noise.centered}, values);
+    });
+}
 
 class Granite final : public Pattern {
 public:
     std::string_view keyword() const override { return "granite"; }
     void evaluate(const PatternContext& context, std::span<const Vec3> points,
                   std::span<double> values) const override {
-        const int generator = context.noise_generator;
-        Scratch::Scope memory(thread_scratch());
-        const auto octave_values = memory.take<double>(points.size());
-        std::fill(values.begin(), values.end(), 0.0);
-        double scale = 1;
-        for (int octave = 0; octave < 6; ++octave, scale *= 2) {
-            noise(points, 4.0 * scale, generator, octave_values);
-            for (size_t i = 0; i < values.size(); ++i) {
-                const double n = octave_values[i];
-                const double folded =
-                    generator > 1 ? std::min(0.5, std::abs(1.0 - 2.0 * n)) : std::abs(0.5 - n);
-                values[i] += folded / scale;
-            }
-        }
+        granite_values(points, context.noise_generator, values);
     }
 };
 

@@ -15,38 +15,8 @@ constexpr std::array<uint8_t, 4096> low_bytes(const ShuffledHash& table) {
     return bytes;
 }
 
-GradientTables make_gradients() {
-    constexpr size_t n = GradientTables::size;
-    GradientTables t;
-    uint32_t state = 1;
-    for (Vec3& g : t.gradient) {
-        double length_squared = 0;
-        do {
-            for (int axis = 0; axis < 3; ++axis) {
-                g[axis] = (static_cast<double>(lcg_step(state) & 4095u) - 2048.0) / 2048.0;
-            }
-            length_squared = glm::dot(g, g);
-        } while (length_squared > 1.0 || length_squared < 1e-5);
-        g /= std::sqrt(length_squared);
-    }
-    // One extra slot takes part in the first exchange, so one value is lost and 0 appears twice.
-    std::array<uint16_t, n + 1> p{};
-    for (size_t i = 0; i < n; ++i) p[i] = static_cast<uint16_t>(i);
-    for (size_t i = n; i >= 2; i -= 2) {
-        const uint16_t kept = p[i];
-        const size_t j = lcg_step(state) % n;
-        p[i] = p[j];
-        p[j] = kept;
-    }
-    for (size_t i = 0; i < n; ++i) t.order[i] = p[i];
-    return t;
-}
-
-}  // namespace
-
-constinit const std::array<uint8_t, 4096> hash_bytes = low_bytes(shuffled_hash);
-
-constinit const std::array<double, 267> value_table{
+/// Values in [-1, 1] of the lattice noise.
+constexpr std::array<double, 267> value_table{
     // clang-format off
     -1, 0.604974, -0.937102, 0.414115, 0.576226, -0.0161593, 0.432334, 0.103685,
     0.590539, 0.0286412, 0.46981, -0.84622, -0.0734112, -0.304097, -0.40206, -0.210132,
@@ -84,6 +54,49 @@ constinit const std::array<double, 267> value_table{
     -0.420127, -0.427878, 0.566186,
     // clang-format on
 };
+
+constexpr std::array<std::array<double, 4>, 264> rows_of(const std::array<double, 267>& values) {
+    std::array<std::array<double, 4>, 264> rows{};
+    for (size_t i = 0; i < rows.size(); ++i)
+        rows[i] = {0.5 * values[i], values[i + 1], values[i + 2], values[i + 3]};
+    return rows;
+}
+
+GradientTables make_gradients() {
+    constexpr size_t n = GradientTables::size;
+    GradientTables t;
+    uint32_t state = 1;
+    for (Vec3& g : t.gradient) {
+        double length_squared = 0;
+        do {
+            for (int axis = 0; axis < 3; ++axis) {
+                g[axis] = (static_cast<double>(lcg_step(state) & 4095u) - 2048.0) / 2048.0;
+            }
+            length_squared = glm::dot(g, g);
+        } while (length_squared > 1.0 || length_squared < 1e-5);
+        g /= std::sqrt(length_squared);
+    }
+    // One extra slot takes part in the first exchange, so one value is lost and 0 appears twice.
+    std::array<uint16_t, n + 1> p{};
+    for (size_t i = 0; i < n; ++i) p[i] = static_cast<uint16_t>(i);
+    for (size_t i = n; i >= 2; i -= 2) {
+        const uint16_t kept = p[i];
+        const size_t j = lcg_step(state) % n;
+        p[i] = p[j];
+        p[j] = kept;
+    }
+    for (size_t i = 0; i < n; ++i) t.order[i] = p[i];
+    for (size_t i = 0; i < n; ++i) {
+        for (int axis = 0; axis < 3; ++axis) t.rows[3 * i + axis + 1] = t.gradient[i][axis];
+    }
+    return t;
+}
+
+}  // namespace
+
+constinit const std::array<uint8_t, 4096> hash_bytes = low_bytes(shuffled_hash);
+
+alignas(32) constinit const std::array<std::array<double, 4>, 264> value_rows = rows_of(value_table);
 
 const GradientTables& gradient_tables() {
     static const GradientTables tables = make_gradients();

@@ -18,14 +18,17 @@ inline uint32_t hash3(uint32_t a, uint32_t b, uint32_t c) {
     return hash_table[hash_table[hash_table[a & 4095u] ^ (b & 4095u)] ^ (c & 4095u)];
 }
 
-/// Values in [-1, 1] of the lattice noise.
-extern const std::array<double, 267> value_table;
+/// For each key a value and a slope of the lattice noise, half of (-1, 1) and in (-1, 1). Further noises use
+/// the rows of the keys 4 and 8 higher.
+extern const std::array<std::array<double, 4>, 264> value_rows;
 
 /// Unit gradients and a permutation for the gradient noise (generator 3).
 struct GradientTables {
     static constexpr size_t size = 2048;
     std::array<Vec3, size> gradient{};
     std::array<uint16_t, size> order{};
+    /// The gradients once more, for reading four numbers from one before x.
+    std::array<double, 3 * size + 1> rows{};
 };
 const GradientTables& gradient_tables();
 

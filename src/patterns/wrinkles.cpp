@@ -1,45 +1,44 @@
 // wrinkles (manual 3.4.7.1.41): ten octaves of noise.
-#include "base/scratch.h"
 #include "patterns/formula.h"
-#include "patterns/noise.h"
-
-#include <algorithm>
-
-#include <glm/common.hpp>
+#include "patterns/noise_lanes.h"
 
 namespace rb {
 
 namespace {
+
+struct Spread {
+    bool centered;
+    RB_INLINE void operator()(Quad& value, int) const {
+        if (!centered) return;
+        value = 2.0 * value - 0.5;
+        clamp_unit(value);
+    }
+};
+
+RB_FOR_EACH_TARGET void wrinkle_values(std::span<const Vec3> points, int generator,
+                                       std::span<double> values) {
+    with_noise(generator, [&](const auto& noise) RB_INLINED {
+        sum_octaves(noise, points, Octaves::doubling(10, 1.0), Spread{noise.centered}, values);
+    });
+    for (double& v : values) v *= 0.5;
+}
+
+RB_FOR_EACH_TARGET void add_wrinkles(std::span<const Vec3> points, double amount, std::span<Vec3> normals) {
+    sum_vector_octaves(
+        points, Octaves::doubling(10, 1.0), [](Quad& value) RB_INLINED { set_magnitude(value, value); },
+        [amount, normals](size_t i, const Vec3& sum) RB_INLINED { normals[i] += amount * sum; });
+}
 
 class Wrinkles final : public Pattern {
 public:
     std::string_view keyword() const override { return "wrinkles"; }
     void evaluate(const PatternContext& context, std::span<const Vec3> points,
                   std::span<double> values) const override {
-        const int generator = context.noise_generator;
-        Scratch::Scope memory(thread_scratch());
-        const auto octave_values = memory.take<double>(points.size());
-        std::fill(values.begin(), values.end(), 0.0);
-        double scale = 1;
-        for (int octave = 0; octave < 10; ++octave, scale *= 2) {
-            noise(points, scale, generator, octave_values);
-            for (size_t i = 0; i < values.size(); ++i) {
-                const double n = octave_values[i];
-                values[i] += (generator > 1 ? clamp01(2.0 * n - 0.5) : n) / scale;
-            }
-        }
-        for (double& v : values) v *= 0.5;
+        wrinkle_values(points, context.noise_generator, values);
     }
     bool perturb(const PatternContext&, float amount, std::span<const Vec3> points,
                  std::span<Vec3> normals) const override {
-        Scratch::Scope memory(thread_scratch());
-        const auto octave_values = memory.take<Vec3>(points.size());
-        double scale = 1;
-        for (int octave = 0; octave < 10; ++octave, scale *= 2) {
-            vector_noise(points, scale, octave_values);
-            const double strength = static_cast<double>(amount) / scale;
-            for (size_t i = 0; i < normals.size(); ++i) normals[i] += strength * glm::abs(octave_values[i]);
-        }
+        add_wrinkles(points, static_cast<double>(amount), normals);
         return true;
     }
 };

@@ -1,0 +1,313 @@
+#pragma once
+#include "patterns/noise_cell.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace rb {
+
+// The noises of all generators at four points, and sums of octaves over batches. Everything here is made to
+// be built into functions with RB_FOR_EACH_TARGET.
+
+/// Coordinates up to here are placed four at a time; others, and what is no number, one at a time.
+inline constexpr double lane_limit = 2.0e9;
+
+/// True if all points times `scale` are within +-lane_limit.
+RB_INLINE bool within_lanes(const QuadPoint& p, double scale) {
+    Quad x;
+    Quad y;
+    Quad z;
+    set_magnitude(p.x, x);
+    set_magnitude(p.y, y);
+    set_magnitude(p.z, z);
+    const Quad sum = x + y + z;
+    return (sum[0] + sum[1] + sum[2] + sum[3]) * scale < lane_limit;
+}
+
+/// Generators 1 and 2 and vector noise (manual 3.4.1.10): a lattice whose cells lie between whole numbers.
+struct Lattice {
+    static RB_INLINE void place_axis(const Quad& p, bool in_lanes, IntQuad& cell, AxisWeights& weights) {
+        IntQuad whole;
+        if (in_lanes) {
+            whole = __builtin_convertvector(p >= 0.0 ? p : p - (1.0 - tiny), IntQuad);
+        } else {
+            floor_each(p, whole);
+        }
+        set_weights(p - __builtin_convertvector(whole, Quad), weights);
+        cell = ((whole & 4095) + 10000 % 4096) & 4095;
+    }
+    static void floor_each(const Quad& p, IntQuad& whole);
+    template <int Lane>
+    static RB_INLINE void place_axis(double p, uint32_t& cell, Quad (&weights)[2]) {
+        const int32_t whole = lattice_floor(p);
+        set_weights<Lane>(p - whole, weights);
+        cell = (static_cast<uint32_t>(whole) + 10000u) & 4095u;
+    }
+    /// Of the cell's corners.
+    RB_INLINE void operator()(uint32_t x, uint32_t y, uint32_t z, CornerRows& rows) const {
+        const uint32_t first = hash_table[x];
+        const uint32_t second = hash_table[(x + 1) & 4095u];
+        const uint32_t above = (y + 1) & 4095u;
+        const uint32_t behind = (z + 1) & 4095u;
+        const uint32_t column[4] = {hash_table[first ^ y], hash_table[second ^ y], hash_table[first ^ above],
+                                    hash_table[second ^ above]};
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; ++k) {
+            rows[2 * k] = value_rows[hash_bytes[column[k] ^ z]].data();
+            rows[2 * k + 1] = value_rows[hash_bytes[column[k] ^ behind]].data();
+        }
+    }
+};
+
+/// Generator 3: gradients at whole numbers that a large offset moves.
+struct GradientLattice {
+    const GradientTables& tables = gradient_tables();
+
+    static void floor_each(const Quad& t, Quad& whole, IntQuad& cell);
+    static RB_INLINE double floor_of(double t, uint32_t& cell) {
+        const double whole = std::floor(t);
+        const int64_t number = std::abs(whole) < 9e18 ? static_cast<int64_t>(whole) : 0;
+        cell = static_cast<uint32_t>(number) & mask;
+        return whole;
+    }
+    template <int Lane>
+    static RB_INLINE void place_axis(double p, uint32_t& cell, Quad (&weights)[2]) {
+        const double t = p + 10000000.023157213;
+        set_weights<Lane>(t - floor_of(t, cell), weights);
+    }
+
+    static RB_INLINE void place_axis(const Quad& p, bool in_lanes, IntQuad& cell, AxisWeights& weights) {
+        const Quad t = p + 10000000.023157213;
+        Quad whole;
+        if (in_lanes) {
+            const IntQuad near = __builtin_convertvector(t, IntQuad);
+            const IntQuad below = near - 1;
+            const Quad truncated = __builtin_convertvector(near, Quad);
+            whole = truncated > t ? __builtin_convertvector(below, Quad) : truncated;
+            cell = __builtin_convertvector(whole, IntQuad) & static_cast<int32_t>(mask);
+        } else {
+            floor_each(t, whole, cell);
+        }
+        set_weights(t - whole, weights);
+    }
+    RB_INLINE void operator()(uint32_t x, uint32_t y, uint32_t z, CornerRows& rows) const {
+        const uint32_t first = tables.order[x];
+        const uint32_t second = tables.order[(x + 1) & mask];
+        const uint32_t column[4] = {tables.order[(first + y) & mask], tables.order[(second + y) & mask],
+                                    tables.order[(first + y + 1) & mask],
+                                    tables.order[(second + y + 1) & mask]};
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; ++k) {
+            rows[2 * k] = tables.rows.data() + 3 * ((column[k] + z) & mask);
+            rows[2 * k + 1] = tables.rows.data() + 3 * ((column[k] + z + 1) & mask);
+        }
+    }
+
+private:
+    static constexpr uint32_t mask = GradientTables::size - 1;
+};
+
+/// Four points times `scale` in their cells.
+template <class Cells>
+RB_INLINE void place(const Cells&, const QuadPoint& p, double scale, bool in_lanes, QuadPlace& out) {
+    Cells::place_axis(scale * p.x, in_lanes, out.x, out.along[0]);
+    Cells::place_axis(scale * p.y, in_lanes, out.y, out.along[1]);
+    Cells::place_axis(scale * p.z, in_lanes, out.z, out.along[2]);
+}
+
+/// One point times `scale` in its cell.
+template <class Cells>
+RB_INLINE void place(const Cells&, const Vec3& p, double scale, PointPlace& out) {
+    Cells::template place_axis<1>(scale * p.x, out.x, out.weights.x);
+    Cells::template place_axis<2>(scale * p.y, out.y, out.weights.y);
+    Cells::template place_axis<3>(scale * p.z, out.z, out.weights.z);
+}
+
+// One kind of noise for each generator, so that loops do not ask which one. `into_range` takes what was mixed
+// (a number or a Quad) to [0, 1].
+
+struct OriginalNoise {
+    static constexpr bool centered = false;
+    static constexpr bool has_value = true;
+    Lattice cells;
+    template <class T>
+    static RB_INLINE void into_range(T& value) {
+        value = value + 0.5;
+        clamp_unit(value);
+    }
+};
+struct RangeCorrectedNoise {
+    static constexpr bool centered = true;  ///< around one half; sums of octaves move it to zero
+    static constexpr bool has_value = true;
+    Lattice cells;
+    template <class T>
+    static RB_INLINE void into_range(T& value) {
+        value = (value + 1.05242) * 0.48985582;
+        clamp_unit(value);
+    }
+};
+struct GradientNoise {
+    static constexpr bool centered = true;
+    static constexpr bool has_value = false;
+    GradientLattice cells;
+    template <class T>
+    static RB_INLINE void into_range(T& value) {
+        value = 0.5 * (1.59 * value + 0.985);
+        clamp_unit(value);
+    }
+};
+
+/// Octaves of a sum: what multiplies the points and what the noise, for each.
+struct Octaves {
+    int count = 1;
+    std::array<double, 10> scale{1.0};
+    std::array<double, 10> weight{1.0};
+
+    static Octaves of(const TurbulenceWarp& shape);
+    /// Points times 1, 2, 4, ... from `scale` on, noise times 1, 1/2, 1/4, ...
+    static Octaves doubling(int count, double scale);
+
+    /// No scale is larger.
+    double scale_bound() const {
+        double sum = 0;
+        for (int i = 0; i < count; ++i) sum += std::abs(scale[i]);
+        return sum;
+    }
+};
+
+/// Up to 16 points, in fours; the last of them repeated where there are too few.
+struct PointBlock {
+    static constexpr size_t most = 4;
+    size_t fours;
+    QuadPoint points[most];
+    bool in_lanes[most];
+
+    /// `scale_bound`: the points are multiplied with nothing larger.
+    RB_INLINE PointBlock(std::span<const Vec3> from, double scale_bound) : fours((from.size() + 3) / 4) {
+        for (size_t k = 0; k < fours; ++k) {
+            if (4 * k + 4 <= from.size()) {
+                load(&from[4 * k], points[k]);
+            } else {
+                Vec3 last[4];
+                for (size_t i = 0; i < 4; ++i) last[i] = from[std::min(4 * k + i, from.size() - 1)];
+                load(last, points[k]);
+            }
+            in_lanes[k] = within_lanes(points[k], scale_bound);
+        }
+    }
+};
+
+// The places of a whole block are found before the first noise is mixed: what comes after the other waits for
+// memory less.
+
+/// values[i] = the sum over the octaves of weight * fold(noise(scale * point)). `fold` changes four noise
+/// values in place and is told the number of the octave.
+template <class Noise, class Fold>
+RB_INLINE void sum_octaves(const Noise& noise, std::span<const Vec3> points, const Octaves& octaves,
+                           const Fold& fold, std::span<double> values) {
+    const double bound = octaves.scale_bound();
+    for (size_t first = 0; first < points.size(); first += 16) {
+        const PointBlock block(points.subspan(first, std::min(points.size() - first, size_t{16})), bound);
+        QuadPlace at[PointBlock::most];
+        Quad sum[PointBlock::most];
+        for (int i = 0; i < octaves.count; ++i) {
+            for (size_t k = 0; k < block.fours; ++k) {
+                place(noise.cells, block.points[k], octaves.scale[i], block.in_lanes[k], at[k]);
+            }
+            for (size_t k = 0; k < block.fours; ++k) {
+                Quad value[1];
+                mix<1, Noise::has_value>(at[k], noise.cells, 0, value);
+                noise.into_range(value[0]);
+                fold(value[0], i);
+                value[0] *= octaves.weight[i];
+                sum[k] = i == 0 ? value[0] : sum[k] + value[0];
+            }
+        }
+        for (size_t i = first; i < std::min(first + 16, points.size()); ++i)
+            values[i] = sum[(i - first) / 4][i % 4];
+    }
+}
+
+/// The same sum of vector noise, handed to `take` point by point: its index, then the sum.
+template <class Fold, class Take>
+RB_INLINE void sum_vector_octaves(std::span<const Vec3> points, const Octaves& octaves, const Fold& fold,
+                                  const Take& take) {
+    const double bound = octaves.scale_bound();
+    const Lattice cells;
+    for (size_t first = 0; first < points.size(); first += 16) {
+        const PointBlock block(points.subspan(first, std::min(points.size() - first, size_t{16})), bound);
+        QuadPlace at[PointBlock::most];
+        QuadPoint sum[PointBlock::most];
+        for (int i = 0; i < octaves.count; ++i) {
+            for (size_t k = 0; k < block.fours; ++k) {
+                place(cells, block.points[k], octaves.scale[i], block.in_lanes[k], at[k]);
+            }
+            for (size_t k = 0; k < block.fours; ++k) {
+                Quad value[3];
+                mix<3, true>(at[k], cells, 16, value);
+                for (Quad& v : value) {
+                    fold(v);
+                    v *= octaves.weight[i];
+                }
+                if (i == 0) {
+                    sum[k] = {value[0], value[1], value[2]};
+                } else {
+                    sum[k] = {sum[k].x + value[0], sum[k].y + value[1], sum[k].z + value[2]};
+                }
+            }
+        }
+        for (size_t i = first; i < std::min(first + 16, points.size()); ++i) {
+            const QuadPoint& four = sum[(i - first) / 4];
+            take(i, Vec3{four.x[i % 4], four.y[i % 4], four.z[i % 4]});
+        }
+    }
+}
+
+/// The sum of sum_octaves() at one point.
+template <class Noise, class Fold>
+RB_INLINE double sum_octaves(const Noise& noise, const Vec3& p, const Octaves& octaves, const Fold& fold) {
+    double sum = 0;
+    for (int i = 0; i < octaves.count; ++i) {
+        PointPlace at;
+        place(noise.cells, p, octaves.scale[i], at);
+        CornerRows rows;
+        noise.cells(at.x, at.y, at.z, rows);
+        double value = mix<Noise::has_value>(at, rows, 0);
+        noise.into_range(value);
+        fold(value, i);
+        value *= octaves.weight[i];
+        sum = i == 0 ? value : sum + value;
+    }
+    return sum;
+}
+
+/// The sum of sum_vector_octaves() at one point, not folded.
+RB_INLINE Vec3 sum_vector_octaves(const Vec3& p, const Octaves& octaves) {
+    const Lattice cells;
+    Vec3 sum{0.0};
+    for (int i = 0; i < octaves.count; ++i) {
+        PointPlace at;
+        place(cells, p, octaves.scale[i], at);
+        CornerRows rows;
+        cells(at.x, at.y, at.z, rows);
+        const Vec3 value = octaves.weight[i] *
+                           Vec3{mix<true>(at, rows, 0), mix<true>(at, rows, 16), mix<true>(at, rows, 32)};
+        sum = i == 0 ? value : sum + value;
+    }
+    return sum;
+}
+
+/// Calls `use` with the noise of a generator.
+template <class Use>
+RB_INLINE void with_noise(int generator, const Use& use) {
+    if (generator == 2) {
+        use(RangeCorrectedNoise{});
+    } else if (generator == 3) {
+        use(GradientNoise{});
+    } else {
+        use(OriginalNoise{});
+    }
+}
+
+}  // namespace rb

@@ -1,0 +1,74 @@
+#pragma once
+#include "math/vec.h"
+
+#include <cstdint>
+#include <cstring>
+
+namespace rb {
+
+// Four numbers at once, as GNU vectors. A function with RB_FOR_EACH_TARGET is compiled for the baseline and
+// for AVX2, with all RB_INLINE functions that it calls, and chosen at run time; without contraction both give
+// the same bits. Sanitizers cannot start with functions that are chosen this early.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define RB_FOR_EACH_TARGET __attribute__((target_clones("avx2", "default")))
+#else
+#define RB_FOR_EACH_TARGET
+#endif
+#define RB_INLINE inline RB_INLINED
+#define RB_INLINED __attribute__((always_inline))  // of lambdas
+
+using Quad = double __attribute__((vector_size(32)));
+using IntQuad = int32_t __attribute__((vector_size(16)));
+
+/// Four points, coordinate by coordinate.
+struct QuadPoint {
+    Quad x;
+    Quad y;
+    Quad z;
+};
+
+RB_INLINE void load(const double* from, Quad& out) { std::memcpy(&out, from, sizeof out); }
+RB_INLINE void store(const Quad& from, double* out) { std::memcpy(out, &from, sizeof from); }
+RB_INLINE void spread(double from, Quad& out) { out = Quad{from, from, from, from}; }
+
+/// The four points from `from` on.
+RB_INLINE void load(const Vec3* from, QuadPoint& out) {
+    Quad a;
+    Quad b;
+    Quad c;
+    load(&from->x, a);
+    load(&from->x + 4, b);
+    load(&from->x + 8, c);
+    out.x = __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 3, 6, 6), c, 0, 1, 2, 5);
+    out.y = __builtin_shufflevector(__builtin_shufflevector(a, b, 1, 4, 7, 7), c, 0, 1, 2, 6);
+    out.z = __builtin_shufflevector(__builtin_shufflevector(a, b, 2, 5, 5, 5), c, 0, 1, 4, 7);
+}
+
+/// Rows become columns.
+RB_INLINE void transpose(Quad (&rows)[4]) {
+    const Quad a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6);
+    const Quad b = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
+    const Quad c = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6);
+    const Quad d = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
+    rows[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
+    rows[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+    rows[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+    rows[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+}
+
+RB_INLINE void set_magnitude(const Quad& v, Quad& out) {
+    int64_t __attribute__((vector_size(32))) bits;
+    std::memcpy(&bits, &v, sizeof bits);
+    bits &= INT64_MAX;
+    std::memcpy(&out, &bits, sizeof out);
+}
+
+/// Keeps a number or a Quad within [0, 1]; what is no number stays so.
+template <class T>
+RB_INLINE void clamp_unit(T& v) {
+    v = v < 0.0 ? T{} : v;
+    v = v > 1.0 ? T{} + 1.0 : v;
+}
+
+}  // namespace rb
