@@ -194,14 +194,13 @@ public:
     /// The next cell; false if none is left before `t_max`.
     bool next(double t_max, int& x, int& z) {
         while (waiting_ > 0) {
-            const Node node = stack_[--waiting_];
-            if (node.near > t_max) continue;
-            if (node.level == 0) {
-                x = node.x;
-                z = node.z;
-                return true;
-            }
-            push_parts(node);
+            Node node = stack_[--waiting_];
+            bool meets = node.near <= t_max;
+            while (meets && node.level > 0) meets = descend(node);
+            if (!meets) continue;
+            x = node.x;
+            z = node.z;
+            return true;
         }
         return false;
     }
@@ -255,21 +254,28 @@ private:
         return {{far, near}, 2};
     }
 
-    void push_parts(const Node& node) {
+    /// Replaces a node by the nearest of its parts that the ray meets; the others wait. False if it meets
+    /// none.
+    bool descend(Node& node) {
         const size_t level = node.level - 1;
         const int half = 1 << level;
         const Halves columns = halves(node, node.x, (2 * node.x + 1) * half, grid_.columns() - 1,
                                       ray_.origin.x, inverse_x_, ray_.direction.x);
         const Halves rows = halves(node, node.z, (2 * node.z + 1) * half, grid_.rows() - 1, ray_.origin.z,
                                    inverse_z_, ray_.direction.z);
+        bool found = false;
         for (size_t i = 0; i < columns.count; ++i) {
             const Half& c = columns.half[i];
             for (size_t k = 0; k < rows.count; ++k) {
                 const Half& r = rows.half[k];
                 const Node part{level, c.place, r.place, std::max(c.near, r.near), std::min(c.far, r.far)};
-                if (part.near <= part.far && !passes_by(part)) stack_[waiting_++] = part;
+                if (!(part.near <= part.far) || passes_by(part)) continue;
+                if (found) stack_[waiting_++] = node;
+                node = part;
+                found = true;
             }
         }
+        return found;
     }
 
     const HeightGrid& grid_;
