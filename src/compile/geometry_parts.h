@@ -12,6 +12,7 @@ struct Element {
     uint8_t mask = 0;
     bool in_world_space = false;
     bool tests_hits = false;
+    bool is_costly = false;    ///< rays are cut to its box
     float object_stretch = 1;  ///< bound on how lengths grow from world to object
     float radius = std::numeric_limits<float>::infinity();  ///< of a ball around a sphere, rounded outward
     Vec3f center{0.0f};

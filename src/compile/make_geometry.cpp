@@ -65,7 +65,9 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
     const auto add = [&](uint32_t i) {
         p.element_of_leaf[i] = static_cast<uint32_t>(p.elements.size());
         p.elements.push_back(element_of(leaves[i], i, p.flat.solids));
-        if (!brute_force) set_ball(p.elements.back());
+        if (brute_force) return;
+        set_ball(p.elements.back());
+        p.elements.back().is_costly = leaves[i].shape->is_costly() && p.flat.boxes[i].is_finite();
     };
     for (uint32_t i = 0; i < leaves.size(); ++i) {
         p.errors.push_back(error_of(leaves[i]));

@@ -156,10 +156,42 @@ private:
         ray_.t_max = t_max;
         ray_.starts_on_surface = starts;
         ray_.origin_part = starts ? query_.origin_part : any_part;
+        return e.is_costly ? ask_within_box<any>(e, found) : ask_whole<any>(e, found);
+    }
+
+    template <bool any>
+    [[gnu::always_inline]] bool ask_whole(const Element& e, Crossing& found) const {
         if (e.in_world_space && !e.tests_hits) {
             return any ? e.shape->any(ray_, nullptr, found) : e.shape->closest(ray_, nullptr, found);
         }
         return ask_elsewhere<any>(e, found);
+    }
+
+    /// Asks for the part of the ray within the element's box.
+    template <bool any>
+    bool ask_within_box(const Element& e, Crossing& found) const {
+        const double t_min = ray_.t_min;
+        const bool met = cut_to(parts_.flat.boxes[e.leaf]) && ask_whole<any>(e, found);
+        ray_.t_min = t_min;
+        return met;
+    }
+
+    /// False if nothing of the ray is left; generous, since what is cut off is only work.
+    bool cut_to(const Bounds& box) const {
+        constexpr double slack = 1e-6;
+        for (int i = 0; i < 3; ++i) {
+            const double o = query_.ray.origin[i];
+            const double d = query_.ray.direction[i];
+            if (d == 0.0) continue;
+            const double a = (box.lo[i] - o) / d;
+            const double b = (box.hi[i] - o) / d;
+            const double near = std::min(a, b);
+            const double far = std::max(a, b);
+            const double pad = slack * (std::abs(near) + std::abs(far));
+            ray_.t_min = std::max(ray_.t_min, near - pad);
+            ray_.t_max = std::min(ray_.t_max, far + pad);
+        }
+        return ray_.t_min < ray_.t_max;
     }
 
     /// The same for leaves in a space of their own, and for those that are parts of solids.

@@ -19,6 +19,13 @@ namespace {
 struct Powers {
     std::array<double, most_degree + 1> c;  ///< the first degree + 1
     size_t degree = 0;
+
+    Powers() {}  // NOLINT(modernize-use-equals-default): no need to fill the array
+    /// Of what there is: mostly a few numbers.
+    Powers(const Powers& other) : degree(other.degree) {
+        std::copy_n(other.c.begin(), degree + 1, c.begin());
+    }
+    Powers& operator=(const Powers&) = delete;
 };
 
 /// binomials[n][k]: all are exact.

@@ -171,6 +171,8 @@ public:
     virtual Curvature curvature() const { return Curvature::any; }
     virtual NormalRule normal_rule() const { return NormalRule::of_surface; }
 
+    /// True if crossings cost so much that it pays to cut a ray to the box where they count before asking.
+    virtual bool is_costly() const { return false; }
     /// True for a sphere: the ball in the middle of its box holds it.
     virtual bool fills_ball() const { return false; }
 

@@ -164,11 +164,17 @@ size_t PolyShape::find(const ShapeRay& query, Roots& out) const {
             out[found++] = middle + scale * (inverse ? 1.0 / roots[i] : roots[i]);
         }
     };
-    const double start = -middle / scale;
-    if (start < 1.0) take(solve_polynomial(from_high, std::max(start, -1.0), 1.0, roots), false);
+    // The asked part of the ray, and no less: at its ends rounding decides elsewhere.
+    constexpr double slack = 1e-9;
+    const double from = (query.t_min - middle) / scale;
+    const double to = (query.t_max - middle) / scale;
+    const double lo = std::max(from - slack * std::abs(from), -middle / scale);
+    const double hi = to + slack * std::abs(to);
+    if (lo < 1.0 && hi > -1.0)
+        take(solve_polynomial(from_high, std::max(lo, -1.0), std::min(hi, 1.0), roots), false);
     // Beyond 1 the inverse is the parameter: the coefficients in reverse.
-    take(solve_polynomial(from_low, 0.0, std::min(1.0, start > 1.0 ? 1.0 / start : 1.0), roots), true);
-    if (start < -1.0) take(solve_polynomial(from_low, -1.0, 1.0 / start, roots), true);
+    if (hi > 1.0) take(solve_polynomial(from_low, 1.0 / hi, lo > 1.0 ? 1.0 / lo : 1.0, roots), true);
+    if (lo < -1.0) take(solve_polynomial(from_low, hi < -1.0 ? 1.0 / hi : -1.0, 1.0 / lo, roots), true);
     return found;
 }
 

@@ -17,6 +17,7 @@ public:
 
     std::string_view keyword() const override { return keyword_; }
     bool is_always_exact() const override { return true; }
+    bool is_costly() const override { return true; }
     Bounds bounds() const override { return bounds_; }
     Bounds language_extent() const override { return Bounds::everything(); }
     bool inside(const Vec3& p) const override { return value(p) <= 0.0; }
