@@ -9,7 +9,23 @@
 
 namespace rb {
 
+/// Counts a directive while it is carried out.
+class TokenStream::Executing {
+public:
+    explicit Executing(int& count) : count_(count) { ++count_; }
+    Executing(const Executing&) = delete;
+    Executing& operator=(const Executing&) = delete;
+    ~Executing() { --count_; }
+
+private:
+    int& count_;
+};
+
 void TokenStream::execute(uint32_t word, SourceRange where, uint32_t hash) {
+    // A loop whose last directive wants a value that is not there would begin again within itself.
+    constexpr int deepest = 400;
+    if (executing_ >= deepest) session_.fail(where, "Too many nested directives.");
+    const Executing executing(executing_);
     // Other directives may stand between #switch and its first #case.
     const bool waiting = before_first_case_;
     const size_t conds = conds_.size();

@@ -159,6 +159,7 @@ private:
     Place raw_element(const Place& array, SourceRange where);
 
     // Directives (directives.cpp, loops.cpp, declare.cpp, files.cpp).
+    class Executing;
     void execute(uint32_t word, SourceRange where, uint32_t hash);
     void dispatch(uint32_t word, SourceRange where, uint32_t hash);
     void execute_message(uint32_t word, SourceRange where);
@@ -203,6 +204,7 @@ private:
     std::vector<Cond> conds_;
     std::vector<Produced> pushback_;
     bool before_first_case_ = false;
+    int executing_ = 0;  ///< directives, one within the other
     uint64_t produced_ = 0;
     int open_braces_ = 0;  ///< since mark()
 };
