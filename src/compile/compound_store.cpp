@@ -60,7 +60,7 @@ void CompoundStore::count_use(const Object& object) {
         facts_of(csg->children);
         Facts& facts = facts_[csg->children.get()];
         if (!is_limited(object)) facts.uses += 1.0;
-        if (csg->cutaway_textures) facts.can_be_shared = false;
+        if (csg->cutaway_textures || csg->is_light_group) facts.can_be_shared = false;
         if (facts.uses > 1.0) return;
     }
     if (!splits(object)) return;
@@ -71,7 +71,7 @@ CompoundStore::Facts CompoundStore::facts_of(const Object& object) {
     Facts facts;
     if (const auto* csg = as<Csg>(object)) {
         facts = facts_of(csg->children);
-        if (csg->cutaway_textures) facts.can_be_shared = false;
+        if (csg->cutaway_textures || csg->is_light_group) facts.can_be_shared = false;
     } else {
         facts.leaves = 1;
         const ShapePtr* shape = as<ShapePtr>(object);

@@ -24,6 +24,7 @@ public:
         uint32_t list = 0;  ///< see new_list()
         TexturePtr texture;
         TexturePtr interior_texture;
+        LightChoice lights;
 
         friend bool operator==(const Wear&, const Wear&) = default;
     };

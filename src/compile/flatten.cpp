@@ -111,18 +111,6 @@ void Flattener::add_whole(const ObjectPtr& object) {
     add_solid(*object, from);
 }
 
-void Flattener::add_light(const Light& light, const Inherited& from) {
-    const Light placed =
-        from.world_from_parent.is_identity() ? light : transformed(light, from.world_from_parent);
-    world_.lights.push_back(placed);
-    ++draft_->top_objects;
-    if (!placed.looks_like) return;
-    Inherited looks;
-    looks.fallback_texture = from.fallback_texture;
-    looks.no_shadow = true;
-    add_top(*placed.looks_like, looks);
-}
-
 void Flattener::add_top(const Object& object, const Inherited& from) {
     if (const auto* light = as<LightPtr>(object)) return add_light(**light, from);
     if (const auto* missing = as<UnsupportedShape>(object)) {
@@ -191,7 +179,11 @@ Flattener::Inherited Flattener::inherit(const Object& object, const Inherited& f
         own.no_radiosity = from.no_radiosity || object.no_radiosity;
     }
     own.double_illuminate = from.double_illuminate || object.double_illuminate;
-    if (const auto* csg = as<Csg>(object)) own.cutaway = own.cutaway || csg->cutaway_textures;
+    own.lights_here = 0;
+    if (const auto* csg = as<Csg>(object)) {
+        own.cutaway = own.cutaway || csg->cutaway_textures;
+        if (csg->is_light_group) enter_light_group(*csg, own);
+    }
     return own;
 }
 

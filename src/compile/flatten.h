@@ -60,6 +60,8 @@ private:
     Surface surface_of_copy(const Surface& surface, const Inherited& own);
     void add_solid(const Object& object, const Inherited& from);
     void add_light(const Light& light, const Inherited& from);
+    void enter_light_group(const Csg& group, Inherited& own);
+    std::shared_ptr<const Geometry> shape_of(const ObjectPtr& object);
     uint32_t build(const Object& object, const Inherited& from, bool invert, uint32_t parent);
     uint32_t build_shape(const Object& object, const ShapePtr& shape, const Inherited& own, bool invert,
                          uint32_t parent);

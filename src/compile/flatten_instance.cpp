@@ -110,7 +110,7 @@ std::shared_ptr<const InstanceLook> Flattener::look_of(CompoundStore::Entry& ent
     const CompoundLooks& looks = entry.compound->looks();
     const TexturePtr& texture = own.texture ? own.texture->layers : own.fallback_texture;
     const CompoundStore::Wear wear{list_, texture,
-                                   own.interior_texture ? own.interior_texture->layers : nullptr};
+                                   own.interior_texture ? own.interior_texture->layers : nullptr, own.lights};
     const bool can_be_shared =
         looks.same_in_all_copies && surface_table_.same_everywhere(texture) &&
         (!own.interior_texture || surface_table_.same_everywhere(own.interior_texture->layers));
@@ -156,6 +156,7 @@ std::vector<uint32_t> Flattener::interiors_of(const CompoundLooks& looks, const 
 /// A surface of a compound as it looks in a copy; its interior is left to the caller.
 Surface Flattener::surface_of_copy(const Surface& surface, const Inherited& own) {
     Surface worn = surface;
+    worn.lights = own.lights;
     if (Compound::is_texture_of_copy(worn.texture.layers)) {
         worn.texture = own.texture ? *own.texture : WornTexture{own.fallback_texture, {}};
         worn.texture_stays = own.texture_stays;

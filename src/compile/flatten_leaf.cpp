@@ -87,6 +87,7 @@ Surface Flattener::surface_of(const Object& object, const Inherited& own) {
     surface.interior_texture_stays = own.interior_texture_stays;
     surface.uv_mapping = own.uv_mapping;
     surface.double_illuminate = own.double_illuminate;
+    surface.lights = own.lights;
     surface.where = object.where;
     return surface;
 }

@@ -32,6 +32,9 @@ struct Flattener::Inherited {
     bool interior_texture_stays = false;
     bool cutaway = false;  ///< leaves without texture show what contains them
     TexturePtr fallback_texture;
+    LightChoice lights;
+    bool in_light_group = false;
+    uint32_t lights_here = 0;  ///< the group that lights standing here belong to; 0: they are global
     uint32_t slot = no_surface;
     bool hollow = false;
     bool no_shadow = false;

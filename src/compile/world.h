@@ -19,6 +19,14 @@ enum SurfaceMask : uint8_t {
     seen_by_trace = 32,      ///< the language's trace(): every surface
 };
 
+/// Which lights shine on a surface: those of one light_group, the global ones, or both.
+struct LightChoice {
+    uint32_t group = 0;  ///< index into World::light_groups; the first is empty
+    bool global = true;
+
+    friend bool operator==(const LightChoice&, const LightChoice&) = default;
+};
+
 /// What a surface wears, resolved after CSG inheritance; shared by all leaves that look alike.
 struct Surface {
     WornTexture texture;  ///< never null: the default texture stands in
@@ -26,6 +34,7 @@ struct Surface {
     uint32_t interior = 0;  ///< index into World::interiors
     bool uv_mapping = false;
     bool double_illuminate = false;
+    LightChoice lights;
     /// In a Compound: the texture does not move with its copies (uv_mapping).
     bool texture_stays = false;
     bool interior_texture_stays = false;
@@ -93,13 +102,23 @@ struct Hit {
 
 class Geometry;  // compile/geometry.h: trees, solids, queries
 
+/// A light in the world. `light.projected_through` has become geometry.
+struct WorldLight {
+    Light light;
+    bool is_global = true;  ///< it stands in no light_group
+    /// A shadow ray must meet it before it reaches the light, and what is behind it casts no shadow. Or null.
+    std::shared_ptr<const Geometry> projected_through;
+};
+
 /// What rays need, and nothing else: made from a Scene by compile().
 struct World {
     GlobalSettings settings;
     int effective_version = 362;
     std::vector<Surface> surfaces;
     std::vector<WorldInterior> interiors;
-    std::vector<Light> lights;
+    std::vector<WorldLight> lights;
+    /// Indices into `lights`; of the first, which stands for none, there are no lights.
+    std::vector<std::vector<uint32_t>> light_groups{1};
     std::optional<Color> background;
     std::optional<SkySphere> sky_sphere;
     std::vector<Fog> fogs;

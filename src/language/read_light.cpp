@@ -9,15 +9,32 @@ namespace rb {
 
 namespace {
 
-ObjectPtr read_carried(const Block& block, const ReadContext& context, const Light& light, bool moves) {
-    // `looks_like { OBJECT modifiers }` is an object statement under another name.
+/// `looks_like { OBJECT modifiers }` is an object statement under another name.
+std::shared_ptr<Object> read_carried(const Block& block, const ReadContext& context) {
     Block statement = block;
     statement.keyword = "object";
-    auto object = make_object(*read_object(statement, context));
-    if (moves) {
-        transform_object(*object, Transform::translation(light.location));
-        object->no_shadow = true;
-    }
+    return make_object(*read_object(statement, context));
+}
+
+ObjectPtr read_looks_like(const Block& block, const ReadContext& context, const Light& light) {
+    auto object = read_carried(block, context);
+    transform_object(*object, Transform::translation(light.location));
+    object->no_shadow = true;
+    return object;
+}
+
+/// Its shape alone counts.
+ObjectPtr read_projected_through(const Block& block, const ReadContext& context) {
+    auto object = read_carried(block, context);
+    const auto remove = [&](auto& worn, std::string_view name) {
+        if (!worn) return;
+        context.diagnostics->warning(
+            block.where, fmt::format("Projected through objects can not have {}, {} removed.", name, name));
+        worn = {};
+    };
+    remove(object->interior, "interior");
+    remove(object->texture, "texture");
+    object->interior_texture.reset();
     return object;
 }
 
@@ -112,10 +129,10 @@ bool take_other(BlockReader& in, Light& light) {
         light.media_interaction = in.optional_switch();
     } else if (in.at_block("looks_like")) {
         if (light.looks_like) in.fail("Only one looks_like allowed per light_source.");
-        light.looks_like = read_carried(in.block("looks_like"), context, light, true);
+        light.looks_like = read_looks_like(in.block("looks_like"), context, light);
     } else if (in.at_block("projected_through")) {
         if (light.projected_through) in.fail("Only one projected through allowed per light_source.");
-        light.projected_through = read_carried(in.block("projected_through"), context, light, false);
+        light.projected_through = read_projected_through(in.block("projected_through"), context);
     } else if (in.at_block("photons")) {
         BlockReader photons(in.block("photons"), context);
         read_photons(photons);

@@ -83,6 +83,20 @@ public:
         }
     }
 
+    /// A light_group takes few of them.
+    void read_of_group(Csg& group) {
+        while (!in_.at_end()) {
+            if (in_.take_word("global_lights")) {
+                group.global_lights = in_.optional_switch();
+            } else if (in_.at_block("photons")) {
+                BlockReader photons(in_.block("photons"), in_.context());
+                read_photons(photons);
+            } else if (!take_transform()) {
+                break;
+            }
+        }
+    }
+
 private:
     bool take_transform() {
         Transform map;
@@ -214,8 +228,6 @@ private:
             if (importance) object_.radiosity_importance = static_cast<float>(*importance);
         } else if (in_.take_word("dtag")) {
             in_.text();
-        } else if (csg && keyword_ == "light_group" && in_.take_word("global_lights")) {
-            in_.optional_switch();
         } else if (in_.peek().kind == Item::Kind::color) {
             in_.diagnostics().warning(in_.where(), "Quick color belongs in texture. Color ignored.");
             in_.skip_item();
@@ -295,7 +307,9 @@ std::shared_ptr<Object> read_new_object(const Block& block, const ReadContext& c
     object->radiosity_importance = static_cast<float>(context.session->default_importance);
     const std::string_view keyword = block.keyword;
     const auto csg = csg_kind(keyword);
-    if (in.at_thing<ObjectPtr>() && (keyword == "object" || !csg || is_identifier(in.peek()))) {
+    const bool is_light_group = keyword == "light_group";
+    if (in.at_thing<ObjectPtr>() &&
+        (keyword == "object" || !csg || (is_identifier(in.peek()) && !is_light_group))) {
         *object = *in.thing<ObjectPtr>();
     } else if (keyword == "object") {
         const ObjectPtr inner = take_object(in);
@@ -308,16 +322,14 @@ std::shared_ptr<Object> read_new_object(const Block& block, const ReadContext& c
                 return std::holds_alternative<ObjectPtr>(item.thing);
             })));
         while (ObjectPtr child = take_object(in)) children->push_back(std::move(child));
-        if (children->size() < 2 && keyword != "light_group" && context.language_version >= 150) {
+        if (children->size() < 2 && !is_light_group && context.language_version >= 150) {
             context.diagnostics->warning(block.where, "Should have at least 2 objects in csg.");
         }
         Csg compound;
         compound.kind = *csg;
         compound.children = std::move(children);
+        compound.is_light_group = is_light_group;
         object->geometry = std::move(compound);
-        if (keyword == "light_group") {
-            context.diagnostics->unsupported(block.where, "light_group", "its lights shine on everything");
-        }
     } else if (keyword == "light_source") {
         object->where = block.where;
         object->geometry = read_light(in);
@@ -329,7 +341,12 @@ std::shared_ptr<Object> read_new_object(const Block& block, const ReadContext& c
         skip_shape(in);
     }
     object->where = block.where;
-    ModifierReader(in, *object, keyword).read();
+    ModifierReader modifiers(in, *object, keyword);
+    if (is_light_group) {
+        modifiers.read_of_group(std::get<Csg>(object->geometry));
+    } else {
+        modifiers.read();
+    }
     in.finish();
     return object;
 }

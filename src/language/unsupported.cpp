@@ -34,9 +34,6 @@ public:
         if (const auto* light = std::get_if<LightPtr>(&object->geometry); light && is_new(*light)) {
             this->object((*light)->looks_like);
             this->object((*light)->projected_through);
-            if ((*light)->projected_through) {
-                diagnostics_.unsupported((*light)->where, "projected_through", "the light shines everywhere");
-            }
         }
         if (const auto* shape = std::get_if<ShapePtr>(&object->geometry); shape && *shape && is_new(*shape)) {
             for (const TexturePtr& texture : (*shape)->textures()) layers(texture);

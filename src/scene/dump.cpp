@@ -90,7 +90,7 @@ public:
             name += unknown->keyword + " (unsupported)";
         const auto* csg = std::get_if<Csg>(&o.geometry);
         constexpr const char* kinds[] = {"union", "merge", "intersection", "difference"};
-        if (csg) name += kinds[static_cast<size_t>(csg->kind)];
+        if (csg) name += csg->is_light_group ? "light_group" : kinds[static_cast<size_t>(csg->kind)];
         line(indent, name);
         if (const auto* shape = std::get_if<ShapePtr>(&o.geometry))
             described(indent + 1, (*shape)->describe());
@@ -98,6 +98,7 @@ public:
             for (const ObjectPtr& child : *csg->children) object(indent + 1, *child);
             flag(indent + 1, "split_union off", !csg->split_union);
             flag(indent + 1, "cutaway_textures", csg->cutaway_textures);
+            flag(indent + 1, "global_lights", csg->global_lights);
         }
         transform(indent + 1, o.world_from_object);
         if (o.texture) worn(indent + 1, "texture", *o.texture);

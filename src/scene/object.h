@@ -56,6 +56,8 @@ struct Csg {
     std::shared_ptr<const std::vector<ObjectPtr>> children;
     bool split_union = true;
     bool cutaway_textures = false;
+    bool is_light_group = false;  ///< a union whose own lights shine on nothing outside of it
+    bool global_lights = false;   ///< light groups: the lights outside of all groups shine in, too
 };
 
 /// A shape that the reader knows but the renderer does not draw yet; the compiler says so where it is used.

@@ -66,14 +66,16 @@ struct DirectLight::Reached {
     Rgb color;  ///< of the light, after attenuation
 };
 
-void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, ShadowMemory& memory) {
+void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, std::span<const uint32_t> lights,
+                      ShadowMemory& memory) {
     Scratch::Scope scratch(thread_scratch());
     const Columns columns(rows, state_.hits, scratch);
     Ways ways(rows.size(), scratch);
     const auto reached = scratch.take<Reached>(rows.size());
     const bool has_film = finish.finish.irid_amount > 0.0f;
-    for (size_t light = 0; light < program_.lights.size(); ++light) {
-        const LightProgram& source = program_.lights[light];
+    for (size_t k = 0; k < lights.size(); ++k) {
+        const ListedLight light{lights[k], k};
+        const LightProgram& source = program_.lights[light.index];
         if (source.area_illumination()) {
             for (LitRow& row : rows) {
                 const LightVector way = source.toward(state_.hits[row.hit].point, Vec3{0.0});
@@ -84,7 +86,7 @@ void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, Shado
             continue;
         }
         look_toward(source, columns, ways);
-        const size_t lit = find_lit(finish, light, rows, columns, ways, reached);
+        const size_t lit = find_lit(finish, light.index, rows, columns, ways, reached);
         for (size_t begin = 0; begin < lit; begin += bundle_size) {
             const auto places = reached.subspan(begin, std::min(bundle_size, lit - begin));
             const Candidates* between = candidates(source, rows, places, columns, ways);
@@ -204,19 +206,19 @@ Rgb DirectLight::thin_film(const FinishProgram& finish, const LitRow& row, const
     return iridescence(finish, program_.world.settings.irid_wavelength, row.place.irid_thickness, cosines);
 }
 
-Rgb DirectLight::from_area(const FinishProgram& finish, size_t light, const LitRow& row,
+Rgb DirectLight::from_area(const FinishProgram& finish, const ListedLight& light, const LitRow& row,
                            const LightVector& way, ShadowMemory& memory) {
-    const LightProgram& source = program_.lights[light];
+    const LightProgram& source = program_.lights[light.index];
     const HitPoint& hit = state_.hits[row.hit];
     const Rgb arrived = arriving(light, row, way, source.color(), nullptr, memory);
     if (is_black(arrived)) return Rgb(0.0f);
     const AreaGrid& grid = source.light().area;
     const Rgb per_sample = arrived / static_cast<float>(source.sample_count());
     Scratch::Scope scratch(thread_scratch());
-    const AreaSampler sampler(source, light, state_.ray_of(hit).seed, way.direction, 1, scratch);
+    const AreaSampler sampler(source, light.index, state_.ray_of(hit).seed, way.direction, 1, scratch);
     LightMeeting meeting;
     meeting.highlights = !source.is_shadowless();
-    meeting.crand = crand(finish, light, row);
+    meeting.crand = crand(finish, light.index, row);
     Rgb sum(0.0f);
     for (int v = 0; v < grid.size2; ++v) {
         for (int u = 0; u < grid.size1; ++u) {
@@ -234,11 +236,11 @@ Rgb DirectLight::from_area(const FinishProgram& finish, size_t light, const LitR
     return sum;
 }
 
-Rgb DirectLight::arriving(size_t light, const LitRow& row, const LightVector& way, const Rgb& color,
-                          const Candidates* candidates, ShadowMemory& memory) {
-    if (const Rgb* known = memory.find(row.root, light)) return *known;
-    const Rgb arrived = shadows_.arriving(light, state_.hits[row.hit], way, color, candidates);
-    memory.store(row.root, light, arrived);
+Rgb DirectLight::arriving(const ListedLight& light, const LitRow& row, const LightVector& way,
+                          const Rgb& color, const Candidates* candidates, ShadowMemory& memory) {
+    if (const Rgb* known = memory.find(row.root, light.place)) return *known;
+    const Rgb arrived = shadows_.arriving(light.index, state_.hits[row.hit], way, color, candidates);
+    memory.store(row.root, light.place, arrived);
     return arrived;
 }
 

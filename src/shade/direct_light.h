@@ -13,8 +13,8 @@ struct LitRow {
     Rgb light{0.0f};  ///< result
 };
 
-/// What arrives from each light at each hit of a group, so that layers and blended textures of one hit share
-/// their shadow rays.
+/// What arrives from each light of a list at each hit of a group, so that layers and blended textures of one
+/// hit share their shadow rays.
 class ShadowMemory {
 public:
     ShadowMemory(size_t rows, size_t lights, bool keep, Scratch::Scope& memory);
@@ -42,22 +42,28 @@ public:
     DirectLight(const ShadingProgram& program, StreamState& state)
         : program_(program), state_(state), shadows_(program, state) {}
 
-    void add(const FinishProgram& finish, std::span<LitRow> rows, ShadowMemory& memory);
+    /// `lights`: indices into ShadingProgram::lights; the memory numbers them as this list does.
+    void add(const FinishProgram& finish, std::span<LitRow> rows, std::span<const uint32_t> lights,
+             ShadowMemory& memory);
 
 private:
     struct Columns;
     struct Ways;
     struct Reached;
+    struct ListedLight {
+        size_t index;  ///< into ShadingProgram::lights
+        size_t place;  ///< in the list
+    };
     const Candidates* candidates(const LightProgram& source, std::span<const LitRow> rows,
                                  std::span<const Reached> places, const Columns& columns, const Ways& ways);
     static void look_toward(const LightProgram& source, const Columns& rows, Ways& ways);
     size_t find_lit(const FinishProgram& finish, size_t light, std::span<const LitRow> rows,
                     const Columns& columns, const Ways& ways, std::span<Reached> reached) const;
     double crand(const FinishProgram& finish, size_t light, const LitRow& row) const;
-    Rgb from_area(const FinishProgram& finish, size_t light, const LitRow& row, const LightVector& way,
-                  ShadowMemory& memory);
+    Rgb from_area(const FinishProgram& finish, const ListedLight& light, const LitRow& row,
+                  const LightVector& way, ShadowMemory& memory);
     Rgb thin_film(const FinishProgram& finish, const LitRow& row, const Vec3& to_light) const;
-    Rgb arriving(size_t light, const LitRow& row, const LightVector& way, const Rgb& color,
+    Rgb arriving(const ListedLight& light, const LitRow& row, const LightVector& way, const Rgb& color,
                  const Candidates* candidates, ShadowMemory& memory);
 
     const ShadingProgram& program_;

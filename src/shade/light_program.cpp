@@ -30,7 +30,8 @@ Vec3 unit(const Vec3& v) {
 
 }  // namespace
 
-LightProgram::LightProgram(const Light& light) : light_(light) {
+LightProgram::LightProgram(const Light& light, const Geometry* projected_through)
+    : light_(light), projected_through_(projected_through) {
     direction_ = unit(light.point_at - light.location);
     cos_radius_ = std::cos(light.radius * (pi / 180.0));
     cos_falloff_ = std::cos(light.falloff * (pi / 180.0));

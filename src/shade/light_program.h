@@ -6,6 +6,8 @@
 
 namespace rb {
 
+class Geometry;
+
 /// Direction and distance from a surface point to a light.
 struct LightVector {
     Vec3 direction{0.0};  ///< unit
@@ -20,10 +22,12 @@ inline bool is_black(const Rgb& c) {
 /// A light with what its formulas need worked out once (manual 3.4.4).
 class LightProgram {
 public:
-    explicit LightProgram(const Light& light);
+    /// `projected_through`: see WorldLight; outlives this.
+    explicit LightProgram(const Light& light, const Geometry* projected_through = nullptr);
 
     const Light& light() const { return light_; }
     const Rgb& color() const { return light_.color; }
+    const Geometry* projected_through() const { return projected_through_; }
     bool is_shadowless() const { return light_.kind == LightKind::shadowless; }
     /// Illuminates from every grid point with its own direction.
     bool area_illumination() const { return light_.is_area && light_.area.area_illumination; }
@@ -56,6 +60,7 @@ private:
     double cylinder_cone(const Vec3& p) const;
 
     Light light_;
+    const Geometry* projected_through_ = nullptr;
     Vec3 direction_{0.0};  ///< from the light to what it points at
     Vec3 area_reach_{0.0};
     double cos_radius_ = 0;

@@ -28,7 +28,7 @@ void ShadingProgram::add_surfaces() {
     tracks_interiors = has_air() || !options.skip_unneeded;
     needs_samples = !options.skip_unneeded;
     std::unordered_map<const TextureLayers*, uint32_t> known;
-    const auto compiled = [&](const WornTexture& worn) {
+    const auto compiled = [&](const WornTexture& worn, uint32_t lit_by) {
         const auto [entry, is_new] =
             known.try_emplace(worn.layers.get(), static_cast<uint32_t>(textures.size()));
         if (is_new) {
@@ -36,18 +36,21 @@ void ShadingProgram::add_surfaces() {
             const TextureProgram& texture = textures.back();
             tracks_interiors = tracks_interiors || texture.passes_light || texture.has_fresnel;
         }
-        Look look{entry->second, {}};
+        Look look{entry->second, {}, lit_by};
         if (!worn.world_from_texture.is_identity()) look.transform.emplace_back(worn.world_from_texture);
         const bool same_as_last = !looks.empty() && looks.back().texture == look.texture &&
-                                  look.transform.empty() && looks.back().transform.empty();
+                                  looks.back().lights == look.lights && look.transform.empty() &&
+                                  looks.back().transform.empty();
         if (!same_as_last) looks.push_back(std::move(look));
         return static_cast<uint32_t>(looks.size() - 1);
     };
     surfaces.reserve(world.surfaces.size());
     for (const Surface& surface : world.surfaces) {
         SurfaceProgram program;
-        program.look = compiled(surface.texture);
-        program.interior_look = surface.interior_texture ? compiled(*surface.interior_texture) : program.look;
+        const uint32_t lit_by = list_of(surface.lights);
+        program.look = compiled(surface.texture, lit_by);
+        program.interior_look =
+            surface.interior_texture ? compiled(*surface.interior_texture, lit_by) : program.look;
         program.interior = surface.interior;
         program.uv_mapping = surface.uv_mapping;
         program.double_illuminate = surface.double_illuminate;
@@ -64,16 +67,20 @@ void ShadingProgram::add_surfaces() {
 }
 
 void ShadingProgram::add_lights() {
-    for (const Light& light : world.lights) {
-        LightProgram program(light);
-        if (options.quality < 5 && light.is_area) {
-            Light point = light;
-            point.is_area = false;
-            program = LightProgram(point);
-        }
+    std::vector<uint32_t> global;
+    for (const WorldLight& placed : world.lights) {
+        Light light = placed.light;
+        if (options.quality < 5) light.is_area = false;
+        LightProgram program(light, placed.projected_through.get());
+        if (placed.is_global) global.push_back(static_cast<uint32_t>(lights.size()));
         first_sample.push_back(sample_count);
         sample_count += program.sample_count();
         lights.push_back(std::move(program));
+    }
+    for (const auto& group : world.light_groups) {
+        light_lists.push_back(global);
+        light_lists.back().insert(light_lists.back().end(), group.begin(), group.end());
+        light_lists.push_back(group);
     }
 }
 

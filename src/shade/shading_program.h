@@ -13,6 +13,7 @@ namespace rb {
 struct Look {
     uint32_t texture = 0;         ///< index into ShadingProgram::textures
     std::vector<Warp> transform;  ///< the object's, as a chain of at most one
+    uint32_t lights = 0;          ///< index into ShadingProgram::light_lists
 };
 
 /// What a surface of the world wears, compiled.
@@ -40,6 +41,8 @@ struct ShadingProgram {
     std::vector<uint32_t> leaf_surfaces;  ///< index into `surfaces`; no_surface for meshes with several
     bool needs_samples = false;           ///< some texture asks for StreamState::samples
     std::vector<LightProgram> lights;
+    /// Indices into `lights`: of the global ones, and of what else surfaces are lit by (list_of()).
+    std::vector<std::vector<uint32_t>> light_lists;
     std::vector<uint32_t> first_sample;  ///< of each light among all samples of all lights
     uint32_t sample_count = 0;
     SkyProgram sky;
@@ -57,6 +60,9 @@ struct ShadingProgram {
     const SurfaceProgram& surface_of(const Hit& hit) const {
         return surfaces[geometry.surface_of(hit.leaf, hit.crossing.member)];
     }
+
+    /// The list of the lights that shine where a surface is.
+    static uint32_t list_of(const LightChoice& lights) { return 2 * lights.group + (lights.global ? 0 : 1); }
 
     /// Something in the air changes light on its way outside of solids.
     bool has_air() const { return !fog.empty() || !rainbow.empty(); }

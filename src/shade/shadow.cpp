@@ -13,9 +13,24 @@ float difference(const Rgb& a, const Rgb& b) {
     return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z);
 }
 
-/// What lies at the light itself, up to rounding, does not shade it. (The reference leaves out 0.001 units,
+/// What lies at one end of the way, up to rounding, is not on it. (The reference leaves out 0.001 units,
 /// whatever the scene's size.)
-double shadow_reach(double distance) { return distance * (1.0 - 1e-6); }
+constexpr double end_share = 1e-6;
+double shadow_reach(double distance) { return distance * (1.0 - end_share); }
+
+/// How far it is to the object that a light is projected through: what is behind it casts no shadow. Nothing
+/// if the ray misses it before the light, which does not shine there then.
+std::optional<double> way_through(const Geometry& object, const Ray& ray, double distance) {
+    if (!(distance > 0.0)) return std::nullopt;
+    RayQuery query;
+    query.ray = ray;
+    query.mask = seen_by_trace;
+    query.t_min = distance * end_share;
+    query.t_max = shadow_reach(distance);
+    Hit hit;
+    if (!object.closest(query, hit)) return std::nullopt;
+    return hit.t;
+}
 
 }  // namespace
 
@@ -82,7 +97,9 @@ bool ShadowTracer::is_dimmed(const Light& light) const {
 }
 
 bool ShadowTracer::passes_all(const LightProgram& light, const Candidates* candidates) const {
-    if (light.is_shadowless() || program_.options.quality < 4) return true;
+    if (program_.options.quality < 4) return true;
+    if (light.projected_through()) return false;
+    if (light.is_shadowless()) return true;
     return candidates && candidates->none() && !is_dimmed(light.light());
 }
 
@@ -92,16 +109,23 @@ Rgb ShadowTracer::arriving(size_t light, const HitPoint& hit, const LightVector&
     if (passes_all(program, candidates)) return color;
     if (program.light().is_area) return over_area(light, hit, to_center, color, candidates);
     RayQuery query = StreamState::query_from(hit, to_center.direction, 0.0, program_.shadow_mask);
-    return along(program.light(), hit, query, to_center.distance, color, candidates,
+    return along(program, hit, query, to_center.distance, color, candidates,
                  state_.blockers[program_.first_sample[light]]);
 }
 
 /// `query`: from the hit towards the light, with the shadow mask; its t_max and mask are set here.
-Rgb ShadowTracer::along(const Light& light, const HitPoint& hit, RayQuery& query, double distance, Rgb color,
-                        const Candidates* candidates, uint32_t& blocker) {
-    query.t_max = shadow_reach(distance);
+Rgb ShadowTracer::along(const LightProgram& light, const HitPoint& hit, RayQuery& query, double distance,
+                        Rgb color, const Candidates* candidates, uint32_t& blocker) {
+    double end = distance;
+    if (const Geometry* object = light.projected_through()) {
+        const auto passed = way_through(*object, query.ray, distance);
+        if (!passed) return Rgb(0.0f);
+        if (light.is_shadowless()) return color;
+        end = *passed;
+    }
+    query.t_max = shadow_reach(end);
     if (!(query.t_max > 0.0)) return color;
-    if (is_dimmed(light) && state_.in_the_open(program_.world, state_.ray_of(hit).inside)) {
+    if (is_dimmed(light.light()) && state_.in_the_open(program_.world, state_.ray_of(hit).inside)) {
         color *= program_.fog.along(query.ray, distance).attenuation;
     }
     if (candidates && candidates->none()) return color;
@@ -271,8 +295,8 @@ void ShadowTracer::look_at_corners(Grid& grid, const std::array<GridCorner, 4>& 
     light.toward(grid.hit.point, std::span(offsets).first(count), grid.ways);
     for (size_t k = 0; k < count; ++k) {
         grid.query.ray.direction = grid.ways[k].direction;
-        grid.arrived[unknown[k]] = along(light.light(), grid.hit, grid.query, grid.ways[k].distance,
-                                         grid.color, grid.candidates, grid.blockers[unknown[k]]);
+        grid.arrived[unknown[k]] = along(light, grid.hit, grid.query, grid.ways[k].distance, grid.color,
+                                         grid.candidates, grid.blockers[unknown[k]]);
     }
 }
 

@@ -28,7 +28,7 @@ private:
     bool is_dimmed(const Light& light) const;
     const Candidates* narrowed(const LightProgram& light, const HitPoint& hit, const LightVector& to_center,
                                const Candidates* wider, Candidates& memory) const;
-    Rgb along(const Light& light, const HitPoint& hit, RayQuery& query, double distance, Rgb color,
+    Rgb along(const LightProgram& light, const HitPoint& hit, RayQuery& query, double distance, Rgb color,
               const Candidates* candidates, uint32_t& blocker);
     Rgb filtered(const HitPoint& from, RayQuery query, Rgb color, const Candidates* candidates);
     Rgb filter_of(const Hit& hit, const Vec3& direction, double segment, std::span<const uint32_t> inside);

@@ -43,7 +43,8 @@ void SurfaceShader::shade(const Look& look, std::span<const uint32_t> hits) {
         if (transform) points[i] = transform->inverse_point(points[i]);
     }
     const bool several = texture.is_patterned() || texture.layers.size() > 1;
-    ShadowMemory shadows(hits.size(), program_.lights.size(), several, memory);
+    lights_ = program_.light_lists[look.lights];
+    ShadowMemory shadows(hits.size(), lights_.size(), several, memory);
     const std::span<const Warp> chain = look.transform;
     const Chains enclosing{&chain, transform ? size_t{1} : size_t{0}};
     shade_rows(texture, {hits, roots, points, memory.take<float>(hits.size(), 1.0f)}, enclosing, shadows);
@@ -191,7 +192,8 @@ SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, co
         }
         row.light = Rgb(0.0f);
     }
-    if (finish.takes_light && program_.options.quality > 1) light_.add(finish, layer_rows.lit, shadows);
+    if (finish.takes_light && program_.options.quality > 1)
+        light_.add(finish, layer_rows.lit, lights_, shadows);
     return layer_rows;
 }
 

@@ -44,6 +44,7 @@ private:
     StreamState& state_;
     DirectLight light_;
     SecondaryRays secondary_;
+    std::span<const uint32_t> lights_;  ///< that shine on the hits at hand
 };
 
 }  // namespace rb

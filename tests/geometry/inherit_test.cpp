@@ -160,10 +160,62 @@ TEST_F(Inherit, LightsComeOutOfUnionsWithTheirTransform) {
     transform_object(*parent, Transform::translation({0, 5, 0}));
     const World w = world({parent});
     ASSERT_EQ(w.lights.size(), 1u);
-    EXPECT_EQ(w.lights[0].location, (Vec3{1, 5, 0}));
+    EXPECT_EQ(w.lights[0].light.location, (Vec3{1, 5, 0}));
     Hit hit;
     seen(w, {1, 5, -5}, {0, 0, 1}, hit);
     EXPECT_EQ(w.geometry->leaf(hit.leaf).mask & (blocks_light | filters_light), 0);
+}
+
+TEST_F(Inherit, LightGroups) {
+    const auto lamp = [] {
+        auto object = std::make_shared<Object>();
+        object->geometry = LightPtr(std::make_shared<Light>());
+        return object;
+    };
+    const auto group = [&](std::vector<ObjectPtr> children, bool global) {
+        auto made = csg(CsgKind::union_, std::move(children));
+        std::get<Csg>(made->geometry).is_light_group = true;
+        std::get<Csg>(made->geometry).global_lights = global;
+        return made;
+    };
+    const auto inner = group({object_from("sphere{<2,0,0>,.1}"), lamp()}, true);
+    const auto unlit = group({object_from("sphere{<3,0,0>,.1}")}, false);
+    const auto outer = group({object_from("sphere{<1,0,0>,.1}"), inner, unlit, lamp()}, false);
+    const World w = world({object_from("sphere{<0,0,0>,.1}"), lamp(), outer, unlit});
+    ASSERT_EQ(w.lights.size(), 3u);
+    EXPECT_TRUE(w.lights[0].is_global);
+    EXPECT_FALSE(w.lights[1].is_global);
+    EXPECT_FALSE(w.lights[2].is_global);
+    const auto lit_by = [&](double x) {
+        Hit hit;
+        seen(w, {x, 0, -5}, {0, 0, 1}, hit);
+        return w.surfaces[w.geometry->surface_of(hit.leaf, 0)].lights;
+    };
+    EXPECT_TRUE(lit_by(0).global);
+    EXPECT_TRUE(w.light_groups[lit_by(0).group].empty());
+    for (const double x : {1.0, 2.0, 3.0}) EXPECT_FALSE(lit_by(x).global) << x;
+    // The light of the inner group came first.
+    EXPECT_EQ(w.light_groups[lit_by(1).group], std::vector<uint32_t>{2});
+    EXPECT_EQ(w.light_groups[lit_by(2).group], std::vector<uint32_t>{1});
+    EXPECT_EQ(w.light_groups[lit_by(3).group], std::vector<uint32_t>{2});
+}
+
+TEST_F(Inherit, WhatALightIsProjectedThroughIsNotSeen) {
+    auto light = std::make_shared<Light>();
+    light->projected_through = object_from("sphere{<0,0,5>,1}");
+    auto object = std::make_shared<Object>();
+    object->geometry = LightPtr(light);
+    auto parent = csg(CsgKind::union_, {object, object_from("sphere{<9,0,0>,1}")});
+    transform_object(*parent, Transform::translation({0, 2, 0}));
+    const World w = world({parent});
+    EXPECT_EQ(w.geometry->leaves().size(), 1u);
+    ASSERT_TRUE(w.lights[0].projected_through);
+    RayQuery query;
+    query.ray = {{0, 2, 0}, {0, 0, 1}};
+    query.mask = seen_by_trace;
+    Hit hit;
+    ASSERT_TRUE(w.lights[0].projected_through->closest(query, hit));
+    EXPECT_NEAR(hit.t, 4.0, 1e-12);
 }
 
 TEST_F(Inherit, UnsupportedShapesAreReportedAndLeftOut) {
