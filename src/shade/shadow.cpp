@@ -20,7 +20,7 @@ double shadow_reach(double distance) { return distance * (1.0 - end_share); }
 
 /// How far it is to the object that a light is projected through: what is behind it casts no shadow. Nothing
 /// if the ray misses it before the light, which does not shine there then.
-std::optional<double> way_through(const Geometry& object, const Ray& ray, double distance) {
+[[gnu::noinline]] std::optional<double> way_through(const Geometry& object, const Ray& ray, double distance) {
     if (!(distance > 0.0)) return std::nullopt;
     RayQuery query;
     query.ray = ray;
