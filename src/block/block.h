@@ -39,14 +39,6 @@ struct Material {
     InteriorPtr interior;
 };
 
-/// A statement that is parsed and checked but has no part in the scene yet (media, density); whoever
-/// puts it into the scene reports it.
-struct ParsedOnly {
-    std::string keyword;
-    SourceRange where;
-};
-using ParsedOnlyPtr = std::shared_ptr<const ParsedOnly>;
-
 /// What an identifier that is not a number, string or array can hold.
 using PigmentMapPtr = std::shared_ptr<const BlendMap<PigmentPtr>>;
 using NormalMapPtr = std::shared_ptr<const BlendMap<NormalPtr>>;
@@ -57,7 +49,7 @@ using Thing = std::variant<std::monostate, ObjectPtr, TexturePtr, PigmentPtr, No
                            std::shared_ptr<const Transform>, std::shared_ptr<const ColorMap>, PigmentMapPtr,
                            NormalMapPtr, TextureMapPtr, SlopeMapPtr, std::shared_ptr<const Fog>,
                            std::shared_ptr<const SkySphere>, std::shared_ptr<const Rainbow>, FunctionPtr,
-                           ParsedOnlyPtr>;
+                           MediaPtr, DensityPtr, DensityMapPtr>;
 
 /// "object identifier", "texture identifier", ...: the language's name of the kind.
 std::string kind_name(const Thing& thing);

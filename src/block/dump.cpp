@@ -64,7 +64,9 @@ struct ThingName {
     std::string operator()(const FunctionPtr& f) const {
         return f && f->result_count() > 1 ? "vector function identifier" : "float function identifier";
     }
-    std::string operator()(const ParsedOnlyPtr& p) const { return p->keyword + " identifier"; }
+    std::string operator()(const MediaPtr&) const { return "media identifier"; }
+    std::string operator()(const DensityPtr&) const { return "density identifier"; }
+    std::string operator()(const DensityMapPtr&) const { return "density_map identifier"; }
 };
 
 }  // namespace

@@ -15,6 +15,7 @@ World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnos
     world.sky_sphere = scene.sky_sphere;
     world.fogs = scene.fogs;
     world.rainbows = scene.rainbows;
+    world.atmosphere = scene.atmosphere;
     world.camera = scene.camera;
     Flattener flattener(world, scene.default_texture, diagnostics);
     const bool tessellates = options.geometry == GeometryMode::tessellate;

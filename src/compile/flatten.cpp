@@ -169,7 +169,7 @@ Flattener::Inherited Flattener::inherit(const Object& object, const Inherited& f
     }
     if (object.interior || from.slot == no_surface) {
         own.slot = static_cast<uint32_t>(draft_->slots.size());
-        draft_->slots.push_back({object.interior, false, no_surface});
+        draft_->slots.push_back({transformed(object.interior, from.world_from_parent), false, no_surface});
     }
     own.hollow = object.hollow.value_or(from.hollow);
     own.no_shadow = from.no_shadow || (from.top && casts_no_shadow(object));

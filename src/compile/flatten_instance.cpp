@@ -147,6 +147,8 @@ std::vector<uint32_t> Flattener::interiors_of(const CompoundLooks& looks, const 
             }
         } else {
             world_.interiors.push_back(there);
+            Interior& interior = world_.interiors.back().interior;
+            interior.media = transformed(std::move(interior.media), own.world_from_parent);
             interiors.push_back(static_cast<uint32_t>(world_.interiors.size() - 1));
         }
     }

@@ -123,6 +123,7 @@ struct World {
     std::optional<SkySphere> sky_sphere;
     std::vector<Fog> fogs;
     std::vector<Rainbow> rainbows;
+    std::vector<MediaPtr> atmosphere;
     Camera camera;
     std::shared_ptr<const Geometry> geometry;
 };

@@ -42,9 +42,9 @@ SlopeMapPtr read_slope_map(const Block& block, const ReadContext& context);
 
 InteriorPtr read_interior(const Block& block, const ReadContext& context, const InteriorPtr& base);
 std::shared_ptr<const Material> read_material(const Block& block, const ReadContext& context);
-/// media, density: checked, but not part of the scene yet.
-ParsedOnlyPtr read_media(const Block& block, const ReadContext& context);
-ParsedOnlyPtr read_density(const Block& block, const ReadContext& context);
+MediaPtr read_media(const Block& block, const ReadContext& context);
+DensityPtr read_density(const Block& block, const ReadContext& context);
+DensityMapPtr read_density_map(const Block& block, const ReadContext& context);
 
 std::shared_ptr<const Transform> read_transform(const Block& block, const ReadContext& context);
 /// Takes one transformation if it is next.

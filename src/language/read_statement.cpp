@@ -64,8 +64,7 @@ void read_statement(Session& session, const Block& block) {
     } else if (keyword == "rainbow") {
         session.scene.rainbows.push_back(*read_rainbow(block, context));
     } else if (keyword == "media") {
-        read_media(block, context);
-        session.diagnostics.unsupported(block.where, "atmospheric media", "the air is clear");
+        session.scene.atmosphere.push_back(read_media(block, context));
     } else {
         session.fail(block.where, fmt::format("Expected 'object or directive', {} found instead", keyword));
     }
@@ -91,7 +90,8 @@ Value read_value(Session& session, const Block& block, const ReadContext& contex
     if (k == "fog") return Thing(read_fog(block, context));
     if (k == "sky_sphere") return Thing(read_sky_sphere(block, context));
     if (k == "media") return Thing(read_media(block, context));
-    if (k == "density" || k == "density_map") return Thing(read_density(block, context));
+    if (k == "density") return Thing(read_density(block, context));
+    if (k == "density_map") return Thing(read_density_map(block, context));
     if (k == "rainbow") return Thing(read_rainbow(block, context));
     session.fail(block.where, fmt::format("Expected 'RValue to declare', {} found instead", k));
 }

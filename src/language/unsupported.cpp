@@ -19,9 +19,7 @@ public:
         if (object->texture) layers(object->texture->layers);
         if (object->interior_texture) layers(object->interior_texture->layers);
         if (object->fallback_texture) layers(object->fallback_texture);
-        if (object->interior && object->interior->has_media) {
-            diagnostics_.unsupported(object->interior->where, "media", "the interior is clear");
-        }
+        if (object->interior && is_new(object->interior)) media(object->interior->media);
         if (const auto* shape = std::get_if<UnsupportedShape>(&object->geometry)) {
             diagnostics_.unsupported(object->where, shape->keyword, "the object is left out");
         }
@@ -45,6 +43,12 @@ public:
         if (const auto* p = std::get_if<PatternPtr>(&pigment->source)) pattern(*p);
         if (const auto* map = std::get_if<BlendMap<PigmentPtr>>(&pigment->map)) {
             for (const auto& entry : *map) this->pigment(entry.value);
+        }
+    }
+
+    void media(const std::vector<MediaPtr>& all) {
+        for (const MediaPtr& medium : all) {
+            for (const DensityPtr& density : medium->densities) pigment(density);
         }
     }
 
@@ -91,6 +95,7 @@ void report_unsupported(const Scene& scene, Diagnostics& diagnostics) {
     walk.normal(scene.camera.normal);
     walk.pigment(scene.camera.bokeh);
     for (const ObjectPtr& object : scene.objects) walk.object(object);
+    walk.media(scene.atmosphere);
     if (scene.sky_sphere) {
         for (const PigmentPtr& pigment : scene.sky_sphere->pigments) walk.pigment(pigment);
     }

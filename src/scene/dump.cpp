@@ -113,15 +113,15 @@ public:
         for (const Texture& layer : layers) texture(indent, layer);
     }
 
-    void pigment(int indent, const Pigment& p) {
+    void pigment(int indent, const Pigment& p, const std::string& keyword = "pigment") {
         if (const auto* color = std::get_if<Color>(&p.source)) {
-            line(indent, "pigment " + text(*color));
+            line(indent, keyword + " " + text(*color));
         } else {
             const auto* pattern = std::get_if<PatternPtr>(&p.source);
             const std::string name = pattern && *pattern ? (*pattern)->describe()
                                      : p.average         ? "average"
                                                          : "none";
-            line(indent, "pigment " + name);
+            line(indent, keyword + " " + name);
             modifiers(indent + 1, p.modifiers);
         }
         flag(indent + 1, "uv_mapping", p.uv_mapping);
@@ -129,7 +129,7 @@ public:
         if (const auto* children = std::get_if<BlendMap<PigmentPtr>>(&p.map)) {
             for (const auto& entry : *children) {
                 line(indent + 1, fmt::format("[{:.6g}]", entry.position));
-                pigment(indent + 2, *entry.value);
+                pigment(indent + 2, *entry.value, keyword);
             }
         }
         if (p.quick_color) line(indent + 1, "quick_color " + text(*p.quick_color));
@@ -138,6 +138,27 @@ public:
     void color_map(int indent, const ColorMap& map) {
         for (const auto& entry : map)
             line(indent, fmt::format("[{:.6g} {}]", entry.position, text(entry.value)));
+    }
+
+    void media(int indent, const Media& m) {
+        line(indent, "media");
+        line(indent + 1, fmt::format("method {} intervals {} samples {}, {}", m.method, m.intervals,
+                                     m.min_samples, m.max_samples));
+        number(indent + 1, "confidence", m.confidence, 0.9);
+        number(indent + 1, "variance", m.variance, 1.0 / 128.0);
+        number(indent + 1, "ratio", m.ratio, 0.9);
+        number(indent + 1, "aa_threshold", m.aa_threshold, 0.1);
+        number(indent + 1, "aa_level", m.aa_level, 3);
+        number(indent + 1, "jitter", m.jitter, 0);
+        if (m.absorption != Rgb{0.0f}) line(indent + 1, "absorption " + text(m.absorption));
+        if (m.emission != Rgb{0.0f}) line(indent + 1, "emission " + text(m.emission));
+        if (m.scattering.color != Rgb{0.0f}) {
+            line(indent + 1,
+                 fmt::format("scattering {} {} eccentricity {:.9g} extinction {:.9g}", m.scattering.type,
+                             text(m.scattering.color), m.scattering.eccentricity, m.scattering.extinction));
+        }
+        flag(indent + 1, "collect off", !m.collect);
+        for (const DensityPtr& density : m.densities) pigment(indent + 1, *density, "density");
     }
 
     void rainbow(const Rainbow& r) {
@@ -187,7 +208,7 @@ private:
         number(indent + 1, "fade_distance", i.fade_distance, 0);
         number(indent + 1, "fade_power", i.fade_power, 0);
         if (i.fade_color != Rgb{0.0f}) line(indent + 1, "fade_color " + text(i.fade_color));
-        flag(indent + 1, "media", i.has_media);
+        for (const MediaPtr& m : i.media) media(indent + 1, *m);
     }
 
     void modifiers(int indent, const PatternModifiers& m) {
@@ -330,6 +351,7 @@ std::string dump(const Scene& scene) {
                               text(fog.color), fog.distance, fog.type, fog.offset, fog.alt, text(fog.up)));
     }
     for (const Rainbow& rainbow : scene.rainbows) d.rainbow(rainbow);
+    for (const MediaPtr& media : scene.atmosphere) d.media(0, *media);
     for (const ObjectPtr& object : scene.objects) d.object(0, *object);
     if (scene.default_texture) {
         d.line(0, "default");

@@ -23,6 +23,13 @@ ObjectList::ObjectList(std::vector<ObjectPtr> objects) {
     if (!objects.empty()) objects_ = std::make_shared<const std::vector<ObjectPtr>>(std::move(objects));
 }
 
+InteriorPtr transformed(const InteriorPtr& interior, const Transform& map) {
+    if (!interior || interior->media.empty()) return interior;
+    auto out = std::make_shared<Interior>(*interior);
+    out->media = transformed(std::move(out->media), map);
+    return out;
+}
+
 Light transformed(const Light& light, const Transform& map) {
     Light out = light;
     out.location = map.point(light.location);
@@ -47,6 +54,7 @@ void transform_object(Object& object, const Transform& map) {
         object.world_from_object.is_identity() ? map : then(object.world_from_object, map);
     if (!object.bounded_by.empty()) object.bounded_by = transformed(object.bounded_by, map);
     if (!object.clipped_by.empty()) object.clipped_by = transformed(object.clipped_by, map);
+    object.interior = transformed(object.interior, map);
     if (object.uv_mapping) return;
     if (object.texture) object.texture->world_from_texture = then(object.texture->world_from_texture, map);
     if (object.interior_texture) {

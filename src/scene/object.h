@@ -2,6 +2,7 @@
 #include "base/returning_allocator.h"
 #include "base/source.h"
 #include "scene/light.h"
+#include "scene/media.h"
 #include "scene/shape.h"
 #include "scene/texture.h"
 
@@ -22,9 +23,12 @@ struct Interior {
     double fade_distance = 0;
     double fade_power = 0;
     Rgb fade_color{0.0f};
-    bool has_media = false;
+    std::vector<MediaPtr> media;  ///< they add up
 };
 using InteriorPtr = std::shared_ptr<const Interior>;
+
+/// The same with its media moved; null stays null.
+InteriorPtr transformed(const InteriorPtr& interior, const Transform& map);
 
 struct Object;
 using ObjectPtr = std::shared_ptr<const Object>;

@@ -72,8 +72,9 @@ struct Scene {
     std::optional<SkySphere> sky_sphere;
     std::vector<Fog> fogs;
     std::vector<Rainbow> rainbows;
-    std::vector<ObjectPtr> objects;  ///< top-level statements in order; lights among them
-    TexturePtr default_texture;      ///< in force at the end
+    std::vector<MediaPtr> atmosphere;  ///< `media` outside of interiors
+    std::vector<ObjectPtr> objects;    ///< top-level statements in order; lights among them
+    TexturePtr default_texture;        ///< in force at the end
 
     /// Scenes below 3.7 without assumed_gamma write their numbers unchanged (spec: language 6).
     bool has_gamma_handling() const { return settings.assumed_gamma.has_value() || effective_version >= 370; }

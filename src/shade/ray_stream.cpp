@@ -122,7 +122,8 @@ void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     const PathRay& ray = state_.rays[ray_index];
     Rgb weight = ray.weight;
     float alpha = ray.alpha;
-    if (program_.has_air()) pass_air(ray, hit.t, weight, alpha);
+    if (program_.has_air()) pass_air(ray_index, hit.t, lights_on(hit), weight, alpha);
+    if (program_.media.fills_interiors()) pass_media(ray_index, hit.t, lights_on(hit), weight, alpha);
     const uint32_t surface = program_.leaf_surfaces[hit.leaf];
     if (surface != no_surface) {
         add_point(ray_index, hit, program_.surfaces[surface], weight, alpha);
@@ -164,16 +165,34 @@ void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgr
     state_.uv[index] = program_.geometry.uv(hit);
 }
 
-void RayStream::pass_air(const PathRay& ray, double length, Rgb& weight, float& alpha) {
+/// From the eye outward: what stands nearer is passed first.
+void RayStream::pass(const PathRay& ray, const AirEffect& effect, Rgb& weight, float& alpha) {
+    state_.slots[ray.slot].rgb += weight * effect.added;
+    weight *= effect.attenuation;
+    alpha *= grey(effect.attenuation);
+}
+
+std::span<const uint32_t> RayStream::lights_on(const Hit& hit) const {
+    return program_.light_lists[program_.looks[program_.surface_of(hit).look].lights];
+}
+
+void RayStream::pass_air(uint32_t ray_index, double length, std::span<const uint32_t> lights, Rgb& weight,
+                         float& alpha) {
+    const PathRay& ray = state_.rays[ray_index];
     if (!state_.in_the_open(program_.world, ray.inside)) return;
-    const auto pass = [&](const AirEffect& effect) {
-        state_.slots[ray.slot].rgb += weight * effect.added;
-        weight *= effect.attenuation;
-        alpha *= grey(effect.attenuation);
-    };
-    // From the eye outward: rainbows stand behind the fog, however near it ends.
-    pass(program_.fog.along(ray.ray, length));
-    if (!program_.rainbow.empty()) pass(program_.rainbow.along(ray.ray, length, ray.seed));
+    // Rainbows stand behind media and those behind the fog, however near it ends.
+    pass(ray, program_.fog.along(ray.ray, length), weight, alpha);
+    if (program_.media.fills_air()) pass(ray, media_.in_air(ray_index, length, lights), weight, alpha);
+    if (program_.rainbow.empty()) return;
+    pass(ray, program_.rainbow.along(ray.ray, length, ray.seed), weight, alpha);
+}
+
+/// Media of interiors are seen only before something that the ray meets (as in the reference).
+void RayStream::pass_media(uint32_t ray_index, double length, std::span<const uint32_t> lights, Rgb& weight,
+                           float& alpha) {
+    const PathRay& ray = state_.rays[ray_index];
+    if (ray.inside.count == 0 || !state_.in_the_open(program_.world, ray.inside)) return;
+    pass(ray, media_.in_interiors(ray_index, length, lights), weight, alpha);
 }
 
 void RayStream::shade_sky(std::span<const uint32_t> misses) {
@@ -195,7 +214,8 @@ void RayStream::shade_sky(std::span<const uint32_t> misses) {
         const SkyLight& seen = light.empty() ? program_.sky.plain(shows_alpha[i] != 0) : light[i];
         Rgb weight = ray.weight;
         float alpha = ray.alpha;
-        if (program_.has_air()) pass_air(ray, std::min(endless, state_.reach), weight, alpha);
+        if (program_.has_air())
+            pass_air(misses[i], std::min(endless, state_.reach), program_.light_lists.front(), weight, alpha);
         LightSlot& slot = state_.slots[ray.slot];
         slot.rgb += weight * seen.rgb;
         slot.transmit += alpha * seen.transmit;

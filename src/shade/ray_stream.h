@@ -1,12 +1,13 @@
 #pragma once
-#include "shade/stream_state.h"
+#include "shade/media_tracer.h"
 
 namespace rb {
 
 /// Follows one batch of camera rays, wave by wave, until nothing is left to follow.
 class RayStream {
 public:
-    RayStream(const ShadingProgram& program, StreamState& state) : program_(program), state_(state) {}
+    RayStream(const ShadingProgram& program, StreamState& state)
+        : program_(program), state_(state), media_(program, state) {}
 
     void trace(std::span<const CameraRay> rays, std::span<Radiance> out);
 
@@ -22,11 +23,17 @@ private:
     void shade_sky(std::span<const uint32_t> misses);
     void shade_hits();
     void fill_samples();
-    void pass_air(const PathRay& ray, double length, Rgb& weight, float& alpha);
+    void pass(const PathRay& ray, const AirEffect& effect, Rgb& weight, float& alpha);
+    std::span<const uint32_t> lights_on(const Hit& hit) const;
+    void pass_air(uint32_t ray_index, double length, std::span<const uint32_t> lights, Rgb& weight,
+                  float& alpha);
+    void pass_media(uint32_t ray_index, double length, std::span<const uint32_t> lights, Rgb& weight,
+                    float& alpha);
     void finish(std::span<const CameraRay> rays, std::span<Radiance> out);
 
     const ShadingProgram& program_;
     StreamState& state_;
+    MediaTracer media_;
     Candidates candidates_;            ///< of the rays at hand
     std::vector<SurfaceWeight> worn_;  ///< of the hit at hand
 };

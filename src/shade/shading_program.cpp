@@ -13,7 +13,8 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
       before_37(world_to_shade.effective_version < 370),
       sky(world_to_shade.sky_sphere, world_to_shade.background, patterns, before_37),
       fog(chosen.quality >= 9 ? world_to_shade.fogs : std::vector<Fog>{}, patterns.noise_generator),
-      rainbow(chosen.quality >= 9 ? world_to_shade.rainbows : std::vector<Rainbow>{}) {
+      rainbow(chosen.quality >= 9 ? world_to_shade.rainbows : std::vector<Rainbow>{}),
+      media(world_to_shade, patterns, chosen.quality >= 9) {
     options.quality = std::clamp(options.quality, 0, 9);
     add_surfaces();
     add_lights();
@@ -25,7 +26,7 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
 
 void ShadingProgram::add_surfaces() {
     TextureCompiler compiler({patterns, world.settings.ambient_light, options.quality});
-    tracks_interiors = has_air() || !options.skip_unneeded;
+    tracks_interiors = has_air() || media.fills_interiors() || !options.skip_unneeded;
     needs_samples = !options.skip_unneeded;
     std::unordered_map<const TextureLayers*, uint32_t> known;
     const auto compiled = [&](const WornTexture& worn, uint32_t lit_by) {

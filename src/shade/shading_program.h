@@ -3,6 +3,7 @@
 #include "shade/fog.h"
 #include "shade/integrator.h"
 #include "shade/light_program.h"
+#include "shade/media_program.h"
 #include "shade/rainbow.h"
 #include "shade/sky.h"
 #include "shade/texture_program.h"
@@ -48,6 +49,7 @@ struct ShadingProgram {
     SkyProgram sky;
     FogProgram fog;
     RainbowProgram rainbow;
+    MediaProgram media;
 
     uint8_t shadow_mask = 0;  ///< which kinds of leaves shadow rays can meet at all
     bool tracks_interiors = false;
@@ -65,7 +67,7 @@ struct ShadingProgram {
     static uint32_t list_of(const LightChoice& lights) { return 2 * lights.group + (lights.global ? 0 : 1); }
 
     /// Something in the air changes light on its way outside of solids.
-    bool has_air() const { return !fog.empty() || !rainbow.empty(); }
+    bool has_air() const { return !fog.empty() || !rainbow.empty() || media.fills_air(); }
 
 private:
     void add_surfaces();

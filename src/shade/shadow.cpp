@@ -1,8 +1,11 @@
 #include "shade/shadow.h"
 
+#include "math/random.h"
 #include "shade/area_sampler.h"
+#include "shade/media_path.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rb {
@@ -93,7 +96,8 @@ Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place,
 
 /// The atmosphere may take some of a light's light on its way.
 bool ShadowTracer::is_dimmed(const Light& light) const {
-    return light.media_interaction && light.media_attenuation && !program_.fog.empty();
+    return light.media_interaction && light.media_attenuation &&
+           (!program_.fog.empty() || program_.media.fills_air());
 }
 
 bool ShadowTracer::passes_all(const LightProgram& light, const Candidates* candidates) const {
@@ -126,7 +130,7 @@ Rgb ShadowTracer::along(const LightProgram& light, const HitPoint& hit, RayQuery
     query.t_max = shadow_reach(end);
     if (!(query.t_max > 0.0)) return color;
     if (is_dimmed(light.light()) && state_.in_the_open(program_.world, state_.ray_of(hit).inside)) {
-        color *= program_.fog.along(query.ray, distance).attenuation;
+        color *= air_filter(query.ray, distance, state_.ray_of(hit).seed);
     }
     if (candidates && candidates->none()) return color;
     ++state_.counters.shadow;
@@ -152,7 +156,10 @@ Rgb ShadowTracer::filtered(const HitPoint& from, RayQuery query, Rgb color, cons
     inside.assign(view.begin(), view.end());
     Hit hit;
     while (program_.geometry.closest(query, hit, candidates)) {
-        color *= filter_of(hit, query.ray.direction, hit.t, inside);
+        color *= filter_of(hit, query.ray, inside);
+        if (program_.media.fills_interiors() && !inside.empty()) {
+            color *= media_filter(query.ray, hit.t, inside, state_.ray_of(from).seed);
+        }
         if (is_black(color)) return Rgb(0.0f);
         const uint32_t interior = program_.surface_of(hit).interior;
         const auto known = std::find(inside.begin(), inside.end(), interior);
@@ -172,18 +179,36 @@ Rgb ShadowTracer::filtered(const HitPoint& from, RayQuery query, Rgb color, cons
     return color;
 }
 
-Rgb ShadowTracer::filter_of(const Hit& hit, const Vec3& direction, double segment,
-                            std::span<const uint32_t> inside) {
+/// What fog and media in the air leave of light that crosses them.
+Rgb ShadowTracer::air_filter(const Ray& ray, double length, uint64_t seed) {
+    const Rgb past_fog = program_.fog.along(ray, length).attenuation;
+    if (!program_.media.fills_air()) return past_fog;
+    program_.media.mix_of_air(mix_);
+    return past_fog *
+           MediaPath(mix_, ray, mixed(seed, std::bit_cast<uint64_t>(length)), nullptr).attenuation(length);
+}
+
+/// The same of media in these interiors.
+Rgb ShadowTracer::media_filter(const Ray& ray, double length, std::span<const uint32_t> inside,
+                               uint64_t seed) {
+    const auto is_hollow = [&](uint32_t interior) { return program_.world.interiors[interior].hollow; };
+    if (!std::ranges::all_of(inside, is_hollow)) return Rgb(1.0f);
+    program_.media.mix_of(inside, mix_);
+    if (mix_.empty()) return Rgb(1.0f);
+    return MediaPath(mix_, ray, mixed(seed, std::bit_cast<uint64_t>(length)), nullptr).attenuation(length);
+}
+
+Rgb ShadowTracer::filter_of(const Hit& hit, const Ray& ray, std::span<const uint32_t> inside) {
     program_.geometry.surfaces_at(hit, worn_);
     Rgb filter(0.0f);
     for (const auto& [worn, share] : worn_) {
-        filter += share * surface_filter(program_.surfaces[worn], hit, direction);
+        filter += share * surface_filter(program_.surfaces[worn], hit, ray.direction);
     }
     const uint32_t own = program_.surface_of(hit).interior;
     const Interior& interior = program_.world.interiors[own].interior;
     const bool leaves = std::find(inside.begin(), inside.end(), own) != inside.end();
     if (leaves && interior.fade_power > 0.0 && std::abs(interior.fade_distance) > 1e-10) {
-        filter *= interior_fade(interior, segment);
+        filter *= interior_fade(interior, hit.t);
     }
     return filter;
 }
@@ -233,8 +258,8 @@ bool ShadowTracer::leaves_for_good(const LightProgram& light, const HitPoint& hi
     constexpr double least = 1e-5;
     const double height = glm::dot(hit.normal, to_center.direction) * to_center.distance -
                           glm::dot(glm::abs(hit.normal), light.area_reach());
-    return program_.geometry.leaves_for_good(hit.leaf,
-                                             !hit.from_inside && height > least * to_center.distance);
+    return hit.leaf != no_leaf && program_.geometry.leaves_for_good(
+                                      hit.leaf, !hit.from_inside && height > least * to_center.distance);
 }
 
 /// What may be between one point and an area light: many rays go there, so that it pays to look closely.

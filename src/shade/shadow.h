@@ -31,7 +31,9 @@ private:
     Rgb along(const LightProgram& light, const HitPoint& hit, RayQuery& query, double distance, Rgb color,
               const Candidates* candidates, uint32_t& blocker);
     Rgb filtered(const HitPoint& from, RayQuery query, Rgb color, const Candidates* candidates);
-    Rgb filter_of(const Hit& hit, const Vec3& direction, double segment, std::span<const uint32_t> inside);
+    Rgb filter_of(const Hit& hit, const Ray& ray, std::span<const uint32_t> inside);
+    Rgb media_filter(const Ray& ray, double length, std::span<const uint32_t> inside, uint64_t seed);
+    Rgb air_filter(const Ray& ray, double length, uint64_t seed);
     Rgb surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction);
     Rgb over_area(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color,
                   const Candidates* candidates);
@@ -40,6 +42,7 @@ private:
 
     const ShadingProgram& program_;
     StreamState& state_;
+    MediaMix mix_;
     std::vector<SurfaceWeight> worn_;  ///< of the hit at hand
 };
 

@@ -70,13 +70,14 @@ TEST_F(Check, NothingMissing) {
 }
 
 TEST_F(Check, ListsWhatIsMissing) {
-    const Outcome done = check(
-        "sphere { 0, 1 interior { media { emission 1 } } hollow }\nmedia { emission 1 }\n"
-        "media { emission 2 }");
+    const std::string ball = "sphere { 0, 1 finish { subsurface { translucency 1 } } }\n";
+    const Outcome done = check(ball + "global_settings { photons { count 9 } }\n" + ball);
     EXPECT_EQ(done.code, 1);
-    EXPECT_TRUE(has(done.out, "scene.pov:3:1: atmospheric media: the air is clear (2 places)\n")) << done.out;
-    EXPECT_TRUE(has(done.out, "scene.pov:2:15: media: the interior is clear\n")) << done.out;
-    EXPECT_FALSE(has(done.err, "media")) << done.err;
+    EXPECT_TRUE(has(done.out, "scene.pov:2:24: subsurface: the surface is drawn without it (2 places)\n"))
+        << done.out;
+    EXPECT_TRUE(has(done.out, "scene.pov:3:19: photons: light goes straight through transparent objects\n"))
+        << done.out;
+    EXPECT_FALSE(has(done.err, "photons")) << done.err;
 }
 
 TEST_F(Check, ErrorsAreShown) {

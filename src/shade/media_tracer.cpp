@@ -1,0 +1,90 @@
+#include "shade/media_tracer.h"
+
+#include "math/random.h"
+
+namespace rb {
+
+namespace {
+
+/// What the random numbers along a ray are drawn for.
+enum Purpose : uint64_t { purpose_interiors = 0x20000, purpose_air = 0x20001 };
+
+}  // namespace
+
+AirEffect MediaTracer::in_interiors(uint32_t ray_index, double length, std::span<const uint32_t> lights) {
+    program_.media.mix_of(state_.interiors.view(state_.rays[ray_index].inside), mix_);
+    return mix_.empty() ? AirEffect{} : along(ray_index, length, lights, purpose_interiors);
+}
+
+AirEffect MediaTracer::in_air(uint32_t ray_index, double length, std::span<const uint32_t> lights) {
+    program_.media.mix_of_air(mix_);
+    return along(ray_index, length, lights, purpose_air);
+}
+
+AirEffect MediaTracer::along(uint32_t ray_index, double length, std::span<const uint32_t> lights,
+                             uint64_t purpose) {
+    const PathRay& ray = state_.rays[ray_index];
+    ray_index_ = ray_index;
+    spans_.clear();
+    for (const uint32_t light : lights) {
+        auto span = lit_span(program_.lights[light].light(), ray.ray, length);
+        if (!span) continue;
+        span->light = light;
+        spans_.push_back(*span);
+    }
+    cut_by_light(spans_, length, pieces_);
+    MediaLighting* lighting = mix_.scatters() ? this : nullptr;
+    return MediaPath(mix_, ray.ray, mixed(ray.seed, purpose), lighting).seen(pieces_);
+}
+
+void MediaTracer::add(std::span<const double> distances, std::span<const Vec3> points,
+                      std::span<MediaSample> samples) {
+    for (const LightSpan& span : spans_) add_light(span, distances, points, samples);
+}
+
+void MediaTracer::add_light(const LightSpan& span, std::span<const double> distances,
+                            std::span<const Vec3> points, std::span<MediaSample> samples) {
+    const LightProgram& source = program_.lights[span.light];
+    const Candidates* between = candidates(source, points);
+    const bool all_arrives = shadows_.passes_all(source, between);
+    HitPoint place;
+    place.direction = state_.rays[ray_index_].ray.direction;
+    place.ray = ray_index_;
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (distances[i] < span.from || distances[i] > span.to) continue;
+        if (samples[i].scattering == Rgb(0.0f)) continue;
+        const LightVector way = source.toward(points[i], Vec3{0.0});
+        Rgb color = source.color();
+        // Measured: here the reference forgets cone and fading of lights with area_illumination.
+        if (!source.area_illumination()) color *= static_cast<float>(source.attenuation(points[i], way));
+        if (is_black(color)) continue;
+        place.point = points[i];
+        if (!all_arrives) color = shadows_.arriving(span.light, place, way, color, between);
+        const float phase = mix_.phase(glm::dot(way.direction, place.direction));
+        samples[i].emission += phase * samples[i].scattering * color;
+    }
+}
+
+/// What may be between the samples and a light; null if that is too much, or of no use.
+const Candidates* MediaTracer::candidates(const LightProgram& source, std::span<const Vec3> points) {
+    constexpr size_t fewest = 4;
+    if (!program_.options.skip_unneeded || points.size() < fewest) return nullptr;
+    // The directions of these differ from sample to sample.
+    if (source.is_directed() && source.light().is_area) return nullptr;
+    Bounds starts;
+    Bounds ends;
+    for (const Vec3& point : points) {
+        starts.include(point);
+        if (!source.is_directed()) continue;
+        const LightVector way = source.toward(point, Vec3{0.0});
+        ends.include(point + way.distance * way.direction);
+    }
+    if (!source.is_directed()) ends.include(source.light().location);
+    ends.lo -= source.area_reach();
+    ends.hi += source.area_reach();
+    const RayBundle bundle = RayBundle::between(starts, ends);
+    return program_.geometry.candidates(bundle, program_.shadow_mask, no_leaf, candidates_) ? &candidates_
+                                                                                            : nullptr;
+}
+
+}  // namespace rb
