@@ -15,6 +15,9 @@ double bracketed_root(const Value& value, double a, double fa, double b, double 
         const double t = a + share * (b - a);
         const double f = value(t);
         if (f == 0.0) return t;
+        // What a step along the chord would still change.
+        const double left = f * ((t - a) / (f - fa));
+        if (std::abs(left) <= 0.5 * std::numeric_limits<double>::epsilon() * std::abs(t)) return t;
         double c = a;
         double fc = fa;
         if ((f < 0.0) != (fa < 0.0)) {

@@ -1,6 +1,7 @@
 #pragma once
 #include "scene/function.h"
 #include "scene/shape.h"
+#include "shapes/function_cells.h"
 
 namespace rb {
 
@@ -57,6 +58,8 @@ private:
     /// there.
     bool is_jump(double value, double error) const;
     Vec3 gradient(const Vec3& p) const;
+    /// Every difference quotient along a ray in a cell.
+    Interval slope_in(size_t cell, const Vec3& direction) const;
     double side_distance(const Vec3& p, uint32_t& part) const;
     template <class Take>
     void each_crossing(const ShapeRay& query, Take&& take) const;
@@ -64,6 +67,7 @@ private:
     IsosurfaceData data_;
     bool loose_;
     double resolution_;  ///< object units: what is thinner may be missed
+    FunctionCells cells_;
     Bounds bounds_;
 };
 

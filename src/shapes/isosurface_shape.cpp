@@ -1,4 +1,3 @@
-#include "shapes/cell_hull.h"
 #include "shapes/convex_ray.h"
 #include "shapes/isosurface.h"
 
@@ -86,19 +85,21 @@ public:
         const Search* search_;
     };
 
-    /// Calls begin() when the sign at `a` is cheap to know, then take(t) for every zero, until one of them
-    /// returns false; then it returns false, too.
-    template <class Begin, class Take>
-    bool run(Place& a, Place& b, const Begin& begin, const Take& take) const {
-        // From the front, so that near zeros are found without looking at the whole.
-        if (shape_.loose_) return begin() && step_through(a, b, take);
-        Place middle(*this, 0.5 * (a.t() + b.t()));
-        const Found found = look(a, middle);
-        return begin() && go_on(found, a, middle, take) && halve(middle, b, take);
+    /// Calls take(t) for every zero between `a` and `b`, places in one cell (if the function's bounds are
+    /// loose, in several), until it returns false; then it returns false, too.
+    template <class Take>
+    bool run(Place& a, Place& b, size_t cell, const Take& take) const {
+        if (shape_.loose_) return step_through(a, b, take);
+        const Interval slope = shape_.slope_in(cell, ray_.direction);
+        if (slope.lo > 0.0 || slope.hi < 0.0) return go_on(sides(a, b), a, b, take);
+        return halve(a, b, take);
     }
 
 private:
     enum class Found { none, one, unclear };
+
+    /// Of a value that only rises or only falls.
+    static Found sides(Place& a, Place& b) { return a.below() == b.below() ? Found::none : Found::one; }
 
     double value(double t) const { return shape_.data_.value(ray_.at(t)) - level_; }
 
@@ -122,16 +123,9 @@ private:
     /// In steps as long as the slopes allow, if the value goes on as it did in the last one.
     template <class Take>
     bool step_through(const Place& from, Place& end, const Take& take) const {
-        const double longest = (end.t() - from.t()) / 8.0;
         double falling = 0.0;
-        double looked_to = from.t();
         for (Place a = from; a.t() < end.t();) {
-            double step = 2.0 * std::abs(a.f()) / (steepest_ + falling);
-            if (step < longest && a.t() >= looked_to) {
-                looked_to = std::min(a.t() + longest, end.t());
-                if (misses_zero(bound(a.t(), looked_to))) step = longest;
-            }
-            step = std::clamp(step, least_, longest);
+            const double step = std::max(2.0 * std::abs(a.f()) / (steepest_ + falling), least_);
             Place b = a.t() + step < end.t() ? Place(*this, a.t() + step) : end;
             if (!halve(a, b, take)) return false;
             constexpr double most = 0.9;
@@ -157,7 +151,7 @@ private:
         }
         const Interval& s = v.slope;
         if (s.maybe_nan) return Found::unclear;
-        if (s.lo > 0.0 || s.hi < 0.0) return a.below() == b.below() ? Found::none : Found::one;
+        if (s.lo > 0.0 || s.hi < 0.0) return sides(a, b);
         // The steepest lines from both ends meet here.
         if (a.below() != b.below() || s.has_infinity()) return Found::unclear;
         const double down = a.below() ? s.hi : -s.lo;
@@ -173,15 +167,6 @@ private:
         const bool clear =
             a.below() == b.below() && std::abs(a.f()) + std::abs(b.f()) > steepest_ * (b.t() - a.t());
         return clear ? Found::none : Found::unclear;
-    }
-
-    Interval bound(double a, double b) const {
-        std::array<Interval, 3> place;
-        for (int i = 0; i < 3; ++i) {
-            place[static_cast<size_t>(i)] =
-                Interval(ray_.origin[i]) + Interval(a, b) * Interval(ray_.direction[i]);
-        }
-        return shape_.data_.function->bound(place, 0);
     }
 
     bool misses_zero(const Interval& function) const {
@@ -200,16 +185,9 @@ private:
 Isosurface::Isosurface(IsosurfaceData data)
     : data_(std::move(data)),
       loose_(has_loose_bounds(data_)),
-      resolution_(loose_ ? 0.5 * data_.accuracy : std::min(data_.accuracy, 1e-3 * data_.size()) / 16.0) {
-    // Of the surface, if open.
-    const auto content = [&](const Bounds& cell) {
-        const Interval v = data_.bound(cell);
-        if (!v.maybe_nan && (v.lo > 0.0 || (data_.open && v.hi < 0.0))) return CellContent::none;
-        return v.hi < 0.0 ? CellContent::whole : CellContent::some;
-    };
-    constexpr int levels = 4;
-    add_cells(content, data_.box, levels, bounds_);
-}
+      resolution_(loose_ ? 0.5 * data_.accuracy : std::min(data_.accuracy, 1e-3 * data_.size()) / 16.0),
+      cells_(data_.box, [this](const Bounds& cell) { return data_.bound(cell); }),
+      bounds_(cells_.hull(false, !data_.open)) {}
 
 bool Isosurface::enters_container(const ShapeRay& query, Span& span) const {
     const Vec3& d = query.ray.direction;
@@ -268,8 +246,12 @@ double Isosurface::side_distance(const Vec3& p, uint32_t& part) const {
 /// The part on which the ray starts; any_part if in free space.
 uint32_t Isosurface::start_part(const ShapeRay& query) const {
     if (query.starts_on_surface && query.origin_part != any_part) return query.origin_part;
-    if (!query.starts_on_surface && !(query.origin_error > 0.0)) return any_part;
     const Vec3& o = query.ray.origin;
+    if (!query.starts_on_surface) {
+        if (!(query.origin_error > 0.0)) return any_part;
+        const Bounds reach{data_.box.lo - query.origin_error, data_.box.hi + query.origin_error};
+        if (!reach.contains(o)) return any_part;
+    }
     uint32_t side = 0;
     const double to_side = side_distance(o, side);
     const double slope = glm::length(gradient(o)) / data_.accuracy;
@@ -299,12 +281,28 @@ void Isosurface::each_crossing(const ShapeRay& query, Take&& take) const {
     constexpr double share = 1.0 / 64.0;
     if (start == on_function) a = std::min(share * search.least(), 0.5 * span.leave);
     Search::Place from(search, a);
-    Search::Place to(search, span.leave);
-    const bool may_enter = !data_.open && !on_side && span.enter > 0.0;
-    const auto enter = [&] { return !may_enter || !from.below() || take(span.enter, span.enter_part); };
-    const auto function_root = [&](double t) { return take(t, on_function); };
-    if (!search.run(from, to, enter, function_root)) return;
-    if (!data_.open && to.below()) take(span.leave, span.leave_part);
+    bool may_enter = !data_.open && !on_side && span.enter > 0.0;
+    const auto piece = [&](double, double end, CellSign sign, size_t cell) {
+        Search::Place to(search, end);
+        if (sign != CellSign::unclear && level == 0.0) {
+            from.set_below(sign == CellSign::below);
+            to.set_below(sign == CellSign::below);
+        }
+        if (may_enter && from.below() && !take(span.enter, span.enter_part)) return false;
+        may_enter = false;
+        const auto function_root = [&](double t) { return take(t, on_function); };
+        if (sign == CellSign::unclear && !search.run(from, to, cell, function_root)) return false;
+        from = to;
+        return end <= query.t_max;
+    };
+    if (cells_.walk(query.ray, a, span.leave, !loose_, piece) && !data_.open && from.below())
+        take(span.leave, span.leave_part);
+}
+
+Interval Isosurface::slope_in(size_t cell, const Vec3& direction) const {
+    return cells_.slope(cell, direction, [this](const std::array<IntervalSlope, 3>& place) {
+        return data_.function->bound_slope(place, 0);
+    });
 }
 
 void Isosurface::crossings(const ShapeRay& query, Crossings& out) const {

@@ -1,0 +1,111 @@
+#pragma once
+#include "math/bounds.h"
+#include "math/interval_slope.h"
+#include "math/ray.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bitset>
+#include <functional>
+#include <memory>
+
+namespace rb {
+
+/// What is known of a function's sign over a whole cell.
+enum class CellSign : uint8_t { unclear, above, below };
+
+/// A box cut into equal cells, with the sign that a function surely has in each of them and, where that is
+/// unclear, how steep it may be.
+class FunctionCells {
+public:
+    using Bound = std::function<IntervalSlope(const std::array<IntervalSlope, 3>& place)>;
+
+    /// `value` holds every value of the function at a place. Big cells are asked first.
+    FunctionCells(const Bounds& box, const std::function<Interval(const Bounds&)>& value);
+
+    /// The box of all cells but those of a given sign.
+    Bounds hull(bool with_above, bool with_below) const;
+
+    /// Cuts a ray's way through the box, from `t` to `end`, and calls piece(from, to, sign, cell) from the
+    /// front until it returns false; then it returns false, too. Pieces are neighbouring cells of one sign;
+    /// with `by_cell` unclear cells are pieces of their own.
+    template <class Piece>
+    bool walk(const Ray& ray, double t, double end, bool by_cell, const Piece& piece) const;
+
+    /// Every difference quotient of the function along `direction` within an unclear cell. `bound` is asked
+    /// once in each cell.
+    Interval slope(size_t cell, const Vec3& direction, const Bound& bound) const;
+
+private:
+    static constexpr int levels = 4;
+    static constexpr int side = 1 << levels;
+    static constexpr size_t count = side * side * side;
+
+    /// Along the axes; many threads may write the same.
+    struct Slopes {
+        std::atomic<bool> known{false};
+        std::array<std::atomic<float>, 6> ends;
+    };
+
+    static size_t index(int x, int y, int z) { return static_cast<size_t>((z * side + y) * side + x); }
+    CellSign sign(size_t cell) const {
+        return unclear_[cell] ? CellSign::unclear : below_[cell] ? CellSign::below : CellSign::above;
+    }
+    /// Finds the sign of the cube of cells from (x, y, z) on.
+    void look(const std::function<Interval(const Bounds&)>& value, int x, int y, int z, int width);
+    Bounds cube(int x, int y, int z, int width) const;
+    /// A little more, since rounding may put a ray's way into the next cell.
+    Bounds widened_cube(int x, int y, int z, int width) const;
+    void find_slopes(size_t cell, const Bound& bound, Slopes& slopes) const;
+    /// Where the ray meets a plane between cells; nowhere, if along it.
+    double meets(const Ray& ray, int axis, int plane, double inverse) const {
+        return ray.direction[axis] == 0.0
+                   ? std::numeric_limits<double>::infinity()
+                   : (box_.lo[axis] + plane * step_[axis] - ray.origin[axis]) * inverse;
+    }
+
+    Bounds box_;
+    Vec3 step_;  ///< size of a cell
+    std::bitset<count> unclear_;
+    std::bitset<count> below_;             ///< of the others
+    std::array<uint16_t, count> place_{};  ///< of an unclear cell in slopes_
+    std::unique_ptr<Slopes[]> slopes_;
+};
+
+template <class Piece>
+bool FunctionCells::walk(const Ray& ray, double t, double end, bool by_cell, const Piece& piece) const {
+    const Vec3 start = ray.at(t);
+    int at[3];
+    int way[3];
+    double next[3];  // where the ray leaves the cell along each axis
+    double inverse[3];
+    for (int i = 0; i < 3; ++i) {
+        at[i] = std::clamp(static_cast<int>((start[i] - box_.lo[i]) / step_[i]), 0, side - 1);
+        way[i] = ray.direction[i] < 0.0 ? -1 : 1;
+        inverse[i] = 1.0 / ray.direction[i];
+        next[i] = meets(ray, i, at[i] + (way[i] > 0), inverse[i]);
+    }
+    double from = t;
+    size_t cell = index(at[0], at[1], at[2]);
+    CellSign before = sign(cell);
+    for (;;) {
+        const int axis = next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
+        const double here = next[axis];
+        at[axis] += way[axis];
+        if (!(here < end) || at[axis] < 0 || at[axis] >= side) return piece(from, end, before, cell);
+        next[axis] = meets(ray, axis, at[axis] + (way[axis] > 0), inverse[axis]);
+        const size_t entered = index(at[0], at[1], at[2]);
+        const CellSign now = sign(entered);
+        if (now != before || (by_cell && now == CellSign::unclear)) {
+            if (here > from) {
+                if (!piece(from, here, before, cell)) return false;
+                from = here;
+            }
+            before = now;
+        }
+        cell = entered;
+    }
+}
+
+}  // namespace rb
