@@ -2,6 +2,7 @@
 
 #include "language/function_code.h"
 #include "patterns/noise.h"
+#include "patterns/noise_bound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,10 @@ namespace rb {
 namespace {
 
 bool are_points(std::span<const Interval> a) {
-    return std::all_of(a.begin(), a.end(), [](const Interval& v) { return v.is_point(); });
+    return std::ranges::all_of(a, [](const Interval& v) { return v.is_point(); });
+}
+bool are_points(std::span<const IntervalSlope> a) {
+    return std::ranges::all_of(a, [](const IntervalSlope& v) { return v.value.is_point(); });
 }
 
 class Surface final : public Function {
@@ -30,9 +34,7 @@ public:
         return kind_.bound(at);
     }
     IntervalSlope bound_slope(std::span<const IntervalSlope> a, int) const override {
-        for (const IntervalSlope& parameter : a.subspan(3)) {
-            if (!parameter.value.is_point()) return IntervalSlope::everything();
-        }
+        if (!are_points(a.subspan(3))) return IntervalSlope::everything();
         InternalPoint<IntervalSlope> at(a);
         return kind_.bound_slope(at);
     }
@@ -53,14 +55,26 @@ struct Place3 {
     Place3 times(const T& f) const { return {x * f, y * f, z * f}; }
 };
 double noise_at(const Place3<double>& p, int generator) { return noise(Vec3{p.x, p.y, p.z}, generator); }
-/// Of a box only the range of noise is known.
+bool leaves_lattice(const Place3<Interval>& p) {
+    return std::ranges::any_of(std::array{p.x, p.y, p.z},
+                               [](const Interval& v) { return v.maybe_nan || !(v.lo > -2e9 && v.hi < 2e9); });
+}
+/// Only the range: a closer look costs as much as many values.
 Interval noise_at(const Place3<Interval>& p, int generator) {
-    for (const Interval& v : {p.x, p.y, p.z}) {
-        // Where the lattice ends.
-        if (v.maybe_nan || !(v.lo > -2e9 && v.hi < 2e9)) return Interval::everything();
-    }
+    if (leaves_lattice(p)) return Interval::everything();
     if (!p.x.is_point() || !p.y.is_point() || !p.z.is_point()) return {0, 1};
     return noise(Vec3{p.x.lo, p.y.lo, p.z.lo}, generator);
+}
+IntervalSlope noise_at(const Place3<IntervalSlope>& p, int generator) {
+    const Place3<Interval> place{p.x.value, p.y.value, p.z.value};
+    if (leaves_lattice(place)) return IntervalSlope::everything();
+    const NoiseBound bound =
+        bound_noise({{place.x.lo, place.y.lo, place.z.lo}, {place.x.hi, place.y.hi, place.z.hi}}, generator);
+    const auto along = [](const Interval& slope, const IntervalSlope& q) {
+        return is_constant(q) ? Interval(0) : slope * q.slope;
+    };
+    return {bound.value,
+            along(bound.slopes[0], p.x) + along(bound.slopes[1], p.y) + along(bound.slopes[2], p.z)};
 }
 template <class T>
 T signed_noise(const Place3<T>& p, int generator) {
@@ -128,6 +142,9 @@ public:
     Interval bound(std::span<const Interval> a, int) const override {
         return are_points(a.subspan(3)) ? value(a) : Interval::everything();
     }
+    IntervalSlope bound_slope(std::span<const IntervalSlope> a, int) const override {
+        return are_points(a.subspan(3)) ? value(a) : IntervalSlope::everything();
+    }
 
 private:
     template <class T>
@@ -177,6 +194,11 @@ public:
         if (parameters_ == 1 && !a[3].is_point()) return {0, 1};
         const int generator = parameters_ == 1 ? generator_of(a[3].lo) : *scene_generator_;
         return noise_at(Place3<Interval>{a[0], a[1], a[2]}, generator);
+    }
+    IntervalSlope bound_slope(std::span<const IntervalSlope> a, int) const override {
+        if (!are_points(a.subspan(3))) return IntervalSlope::everything();
+        return noise_at(Place3<IntervalSlope>{a[0], a[1], a[2]},
+                        parameters_ == 1 ? generator_of(known(a[3])) : *scene_generator_);
     }
 
 private:

@@ -27,6 +27,11 @@ RB_INLINE bool within_lanes(const QuadPoint& p, double scale) {
 
 /// Generators 1 and 2 and vector noise (manual 3.4.1.10): a lattice whose cells lie between whole numbers.
 struct Lattice {
+    static constexpr double shift = 0.0;  ///< from coordinates to places among the cells
+    /// Of the cell that begins at a whole number.
+    static uint32_t number(double whole) {
+        return (static_cast<uint32_t>(static_cast<int32_t>(whole)) + 10000u) & 4095u;
+    }
     static RB_INLINE void place_axis(const Quad& p, bool in_lanes, IntQuad& cell, AxisWeights& weights) {
         IntQuad whole;
         if (in_lanes) {
@@ -62,6 +67,7 @@ struct Lattice {
 
 /// Generator 3: gradients at whole numbers that a large offset moves.
 struct GradientLattice {
+    static constexpr double shift = 10000000.023157213;
     const GradientTables& tables = gradient_tables();
 
     static void floor_each(const Quad& t, Quad& whole, IntQuad& cell);
@@ -71,14 +77,19 @@ struct GradientLattice {
         cell = static_cast<uint32_t>(number) & mask;
         return whole;
     }
+    static uint32_t number(double whole) {
+        uint32_t cell = 0;
+        floor_of(whole, cell);
+        return cell;
+    }
     template <int Lane>
     static RB_INLINE void place_axis(double p, uint32_t& cell, Quad (&weights)[2]) {
-        const double t = p + 10000000.023157213;
+        const double t = p + shift;
         set_weights<Lane>(t - floor_of(t, cell), weights);
     }
 
     static RB_INLINE void place_axis(const Quad& p, bool in_lanes, IntQuad& cell, AxisWeights& weights) {
-        const Quad t = p + 10000000.023157213;
+        const Quad t = p + shift;
         Quad whole;
         if (in_lanes) {
             const IntQuad near = __builtin_convertvector(t, IntQuad);
@@ -125,11 +136,12 @@ RB_INLINE void place(const Cells&, const Vec3& p, double scale, PointPlace& out)
 }
 
 // One kind of noise for each generator, so that loops do not ask which one. `into_range` takes what was mixed
-// (a number or a Quad) to [0, 1].
+// (a number or a Quad) to [0, 1], by a slope of `range_slope` where it does not clamp.
 
 struct OriginalNoise {
     static constexpr bool centered = false;
     static constexpr bool has_value = true;
+    static constexpr double range_slope = 1.0;
     Lattice cells;
     template <class T>
     static RB_INLINE void into_range(T& value) {
@@ -140,16 +152,18 @@ struct OriginalNoise {
 struct RangeCorrectedNoise {
     static constexpr bool centered = true;  ///< around one half; sums of octaves move it to zero
     static constexpr bool has_value = true;
+    static constexpr double range_slope = 0.48985582;
     Lattice cells;
     template <class T>
     static RB_INLINE void into_range(T& value) {
-        value = (value + 1.05242) * 0.48985582;
+        value = (value + 1.05242) * range_slope;
         clamp_unit(value);
     }
 };
 struct GradientNoise {
     static constexpr bool centered = true;
     static constexpr bool has_value = false;
+    static constexpr double range_slope = 0.5 * 1.59;
     GradientLattice cells;
     template <class T>
     static RB_INLINE void into_range(T& value) {

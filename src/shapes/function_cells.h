@@ -28,23 +28,28 @@ public:
     Bounds hull(bool with_above, bool with_below) const;
 
     /// Cuts a ray's way through the box, from `t` to `end`, and calls piece(from, to, sign, cell) from the
-    /// front until it returns false; then it returns false, too. Pieces are neighbouring cells of one sign;
-    /// with `by_cell` unclear cells are pieces of their own.
+    /// front until it returns false; then it returns false, too. An unclear cell is a piece of its own;
+    /// neighbouring cells of one sign are one piece.
     template <class Piece>
-    bool walk(const Ray& ray, double t, double end, bool by_cell, const Piece& piece) const;
+    bool walk(const Ray& ray, double t, double end, const Piece& piece) const;
 
-    /// Every difference quotient of the function along `direction` within an unclear cell. `bound` is asked
-    /// once in each cell.
-    Interval slope(size_t cell, const Vec3& direction, const Bound& bound) const;
+    /// A closer look at an unclear cell, which `bound` is asked for once in each.
+    struct Content {
+        CellSign sign = CellSign::unclear;
+        Interval slope;  ///< every difference quotient along a direction; if infinite, nothing is known
+    };
+    Content content(size_t cell, const Vec3& direction, const Bound& bound) const;
+
+    static constexpr int side = 16;
+    static constexpr double cell_share = 1.0 / side;  ///< of the box, along each axis
 
 private:
-    static constexpr int levels = 4;
-    static constexpr int side = 1 << levels;
     static constexpr size_t count = side * side * side;
 
-    /// Along the axes; many threads may write the same.
-    struct Slopes {
+    /// Slopes along the axes. Many threads may write the same.
+    struct Detail {
         std::atomic<bool> known{false};
+        std::atomic<CellSign> sign{CellSign::unclear};
         std::array<std::atomic<float>, 6> ends;
     };
 
@@ -57,7 +62,7 @@ private:
     Bounds cube(int x, int y, int z, int width) const;
     /// A little more, since rounding may put a ray's way into the next cell.
     Bounds widened_cube(int x, int y, int z, int width) const;
-    void find_slopes(size_t cell, const Bound& bound, Slopes& slopes) const;
+    void find(size_t cell, const Bound& bound, Detail& detail) const;
     /// Where the ray meets a plane between cells; nowhere, if along it.
     double meets(const Ray& ray, int axis, int plane, double inverse) const {
         return ray.direction[axis] == 0.0
@@ -69,12 +74,12 @@ private:
     Vec3 step_;  ///< size of a cell
     std::bitset<count> unclear_;
     std::bitset<count> below_;             ///< of the others
-    std::array<uint16_t, count> place_{};  ///< of an unclear cell in slopes_
-    std::unique_ptr<Slopes[]> slopes_;
+    std::array<uint16_t, count> place_{};  ///< of an unclear cell in details_
+    std::unique_ptr<Detail[]> details_;
 };
 
 template <class Piece>
-bool FunctionCells::walk(const Ray& ray, double t, double end, bool by_cell, const Piece& piece) const {
+bool FunctionCells::walk(const Ray& ray, double t, double end, const Piece& piece) const {
     const Vec3 start = ray.at(t);
     int at[3];
     int way[3];
@@ -97,7 +102,7 @@ bool FunctionCells::walk(const Ray& ray, double t, double end, bool by_cell, con
         next[axis] = meets(ray, axis, at[axis] + (way[axis] > 0), inverse[axis]);
         const size_t entered = index(at[0], at[1], at[2]);
         const CellSign now = sign(entered);
-        if (now != before || (by_cell && now == CellSign::unclear)) {
+        if (now != before || now == CellSign::unclear) {
             if (here > from) {
                 if (!piece(from, here, before, cell)) return false;
                 from = here;

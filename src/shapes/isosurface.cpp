@@ -45,7 +45,7 @@ void check_gradient(const SourceRange& where, const std::optional<Evaluate>& eva
     if (evaluate) {
         data.max_gradient =
             std::max({data.max_gradient, evaluate->least, steepest * std::max(evaluate->over, 1.0)});
-    } else if (steepest > data.max_gradient) {
+    } else if (steepest > data.max_gradient && !has_bounded_slopes(data)) {
         diagnostics.warning(
             where, fmt::format("The isosurface's max_gradient is {:.4g}, but a gradient of {:.4g} was "
                                "found: there may be holes.",
@@ -115,6 +115,18 @@ bool has_loose_bounds(const IsosurfaceData& data) {
         if (!std::isfinite(narrow) || narrow > 0.2 * wide) return true;
     }
     return false;
+}
+
+bool has_bounded_slopes(const IsosurfaceData& data) {
+    const Vec3 cell = data.box.size() * FunctionCells::cell_share;
+    for (uint64_t i = 0; i < samples; ++i) {
+        const Vec3 p = random_place(data.box, i);
+        std::array<IntervalSlope, 3> place;
+        for (int k = 0; k < 3; ++k) place[static_cast<size_t>(k)] = {{p[k], p[k] + cell[k]}, Interval(1.0)};
+        const Interval slope = data.function->bound_slope(place, 0).slope;
+        if (slope.maybe_nan || slope.has_infinity()) return false;
+    }
+    return true;
 }
 
 double steepest_slope(const IsosurfaceData& data) {

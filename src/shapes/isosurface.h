@@ -22,9 +22,12 @@ struct IsosurfaceData {
     bool contains(const Vec3& p) const;
 };
 
-/// True if bounds over small boxes do not shrink with the box (noise, patterns, pigments): what intervals
-/// cannot decide there is left to max_gradient.
+/// True if bounds over small boxes do not shrink with the box (noise, patterns, pigments): rays step through
+/// such a function by what is known of its slope.
 bool has_loose_bounds(const IsosurfaceData& data);
+
+/// True if the slope has a bound over cells of the size that rays look at; otherwise max_gradient is trusted.
+bool has_bounded_slopes(const IsosurfaceData& data);
 
 /// The steepest slope met between points of random chords near the surface: a lower bound of the right
 /// max_gradient.
@@ -58,8 +61,7 @@ private:
     /// there.
     bool is_jump(double value, double error) const;
     Vec3 gradient(const Vec3& p) const;
-    /// Every difference quotient along a ray in a cell.
-    Interval slope_in(size_t cell, const Vec3& direction) const;
+    FunctionCells::Content content_of(size_t cell, const Vec3& direction) const;
     double side_distance(const Vec3& p, uint32_t& part) const;
     template <class Take>
     void each_crossing(const ShapeRay& query, Take&& take) const;

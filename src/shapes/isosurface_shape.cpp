@@ -85,14 +85,17 @@ public:
         const Search* search_;
     };
 
-    /// Calls take(t) for every zero between `a` and `b`, places in one cell (if the function's bounds are
-    /// loose, in several), until it returns false; then it returns false, too.
+    /// Calls take(t) for every zero between `a` and `b`, places in one cell, until it returns false; then it
+    /// returns false, too.
     template <class Take>
     bool run(Place& a, Place& b, size_t cell, const Take& take) const {
-        if (shape_.loose_) return step_through(a, b, take);
-        const Interval slope = shape_.slope_in(cell, ray_.direction);
-        if (slope.lo > 0.0 || slope.hi < 0.0) return go_on(sides(a, b), a, b, take);
-        return halve(a, b, take);
+        const FunctionCells::Content content = shape_.content_of(cell, ray_.direction);
+        if (content.sign != CellSign::unclear) return true;
+        const Interval& slope = content.slope;
+        if (slope.lo > 0.0 || slope.hi < 0.0) return go_on(sides(a, b), a, b, nullptr, take);
+        if (!shape_.loose_) return halve(a, b, nullptr, take);
+        const Interval trusted = slope.has_infinity() ? Interval{-steepest_, steepest_} : slope;
+        return step_through(a, b, trusted, take);
     }
 
 private:
@@ -103,13 +106,14 @@ private:
 
     double value(double t) const { return shape_.data_.value(ray_.at(t)) - level_; }
 
+    /// `slope`: what is known of the slope all along, or null.
     template <class Take>
-    bool halve(Place& a, Place& b, const Take& take) const {
-        return a.t() <= t_max_ && go_on(shape_.loose_ ? look_loosely(a, b) : look(a, b), a, b, take);
+    bool halve(Place& a, Place& b, const Interval* slope, const Take& take) const {
+        return a.t() <= t_max_ && go_on(slope ? look_loosely(a, b, *slope) : look(a, b), a, b, slope, take);
     }
 
     template <class Take>
-    bool go_on(Found found, Place& a, Place& b, const Take& take) const {
+    bool go_on(Found found, Place& a, Place& b, const Interval* slope, const Take& take) const {
         if (found == Found::none) return true;
         Place middle(*this, 0.5 * (a.t() + b.t()));
         const bool splits = middle.t() > a.t() && middle.t() < b.t();
@@ -117,23 +121,38 @@ private:
             return a.below() == b.below() ||
                    take(bracketed_root([&](double t) { return value(t); }, a.t(), a.f(), b.t(), b.f()));
         }
-        return halve(a, middle, take) && halve(middle, b, take);
+        return halve(a, middle, slope, take) && halve(middle, b, slope, take);
     }
 
-    /// In steps as long as the slopes allow, if the value goes on as it did in the last one.
+    /// In steps as long as the slope allows, if the value goes on as it did in the last one.
     template <class Take>
-    bool step_through(const Place& from, Place& end, const Take& take) const {
+    bool step_through(const Place& from, Place& end, const Interval& slope, const Take& take) const {
         double falling = 0.0;
         for (Place a = from; a.t() < end.t();) {
-            const double step = std::max(2.0 * std::abs(a.f()) / (steepest_ + falling), least_);
+            const double steepest_fall = toward_zero(a, slope);
+            const double step = std::max(2.0 * std::abs(a.f()) / (steepest_fall + falling), least_);
             Place b = a.t() + step < end.t() ? Place(*this, a.t() + step) : end;
-            if (!halve(a, b, take)) return false;
+            if (!halve(a, b, &slope, take)) return false;
             constexpr double most = 0.9;
-            falling = std::clamp((std::abs(a.f()) - std::abs(b.f())) / (b.t() - a.t()), -most * steepest_,
-                                 steepest_);
+            falling = std::clamp((std::abs(a.f()) - std::abs(b.f())) / (b.t() - a.t()), -most * steepest_fall,
+                                 steepest_fall);
             a = b;
         }
         return true;
+    }
+
+    /// How fast the value may go to zero, and away from it.
+    static double toward_zero(Place& a, const Interval& slope) { return a.below() ? slope.hi : -slope.lo; }
+    static double from_zero(Place& a, const Interval& slope) { return a.below() ? -slope.lo : slope.hi; }
+
+    /// The steepest lines from both ends meet before they come to zero.
+    static bool lines_miss_zero(Place& a, Place& b, const Interval& slope) {
+        const double down = toward_zero(a, slope);
+        const double up = from_zero(a, slope);
+        const double reach = down * up * (b.t() - a.t());
+        const double height = std::abs(a.f()) * up + std::abs(b.f()) * down;
+        constexpr double rounding = 1e-9;
+        return height > reach * (1.0 + rounding);
     }
 
     /// `one`: no more than one, which the signs at the ends tell.
@@ -152,21 +171,13 @@ private:
         const Interval& s = v.slope;
         if (s.maybe_nan) return Found::unclear;
         if (s.lo > 0.0 || s.hi < 0.0) return sides(a, b);
-        // The steepest lines from both ends meet here.
         if (a.below() != b.below() || s.has_infinity()) return Found::unclear;
-        const double down = a.below() ? s.hi : -s.lo;
-        const double up = a.below() ? -s.lo : s.hi;
-        const double reach = down * up * (b.t() - a.t());
-        const double height = std::abs(a.f()) * up + std::abs(b.f()) * down;
-        constexpr double rounding = 1e-9;
-        return height > reach * (1.0 + rounding) ? Found::none : Found::unclear;
+        return lines_miss_zero(a, b, s) ? Found::none : Found::unclear;
     }
 
-    /// Where slopes are not known but for the user's max_gradient.
-    Found look_loosely(Place& a, Place& b) const {
-        const bool clear =
-            a.below() == b.below() && std::abs(a.f()) + std::abs(b.f()) > steepest_ * (b.t() - a.t());
-        return clear ? Found::none : Found::unclear;
+    /// By a slope that is known beforehand.
+    static Found look_loosely(Place& a, Place& b, const Interval& slope) {
+        return a.below() == b.below() && lines_miss_zero(a, b, slope) ? Found::none : Found::unclear;
     }
 
     bool misses_zero(const Interval& function) const {
@@ -295,13 +306,13 @@ void Isosurface::each_crossing(const ShapeRay& query, Take&& take) const {
         from = to;
         return end <= query.t_max;
     };
-    if (cells_.walk(query.ray, a, span.leave, !loose_, piece) && !data_.open && from.below())
+    if (cells_.walk(query.ray, a, span.leave, piece) && !data_.open && from.below())
         take(span.leave, span.leave_part);
 }
 
-Interval Isosurface::slope_in(size_t cell, const Vec3& direction) const {
-    return cells_.slope(cell, direction, [this](const std::array<IntervalSlope, 3>& place) {
-        return data_.function->bound_slope(place, 0);
+FunctionCells::Content Isosurface::content_of(size_t cell, const Vec3& direction) const {
+    return cells_.content(cell, direction, [this](const std::array<IntervalSlope, 3>& place) {
+        return data_.function->bound_slope(place, 0) - data_.threshold;
     });
 }
 

@@ -59,18 +59,17 @@ TEST_F(FunctionCellsTest, PiecesFollowOneAnotherAndHaveTheirSigns) {
         double leave = 0;
         const Ray r = ray(enter, leave);
         double reached = enter;
-        const bool whole =
-            cells_.walk(r, enter, leave, i % 2 == 0, [&](double from, double to, CellSign sign, size_t) {
-                EXPECT_EQ(from, reached);
-                EXPECT_GE(to, from);
-                reached = to;
-                for (int k = 0; k <= 8 && sign != CellSign::unclear; ++k) {
-                    const Vec3 p = r.at(from + (to - from) * k / 8.0);
-                    EXPECT_EQ(field(p.x, p.y, p.z) < 0.0, sign == CellSign::below);
-                    ++clear;
-                }
-                return true;
-            });
+        const bool whole = cells_.walk(r, enter, leave, [&](double from, double to, CellSign sign, size_t) {
+            EXPECT_EQ(from, reached);
+            EXPECT_GE(to, from);
+            reached = to;
+            for (int k = 0; k <= 8 && sign != CellSign::unclear; ++k) {
+                const Vec3 p = r.at(from + (to - from) * k / 8.0);
+                EXPECT_EQ(field(p.x, p.y, p.z) < 0.0, sign == CellSign::below);
+                ++clear;
+            }
+            return true;
+        });
         EXPECT_TRUE(whole);
         EXPECT_EQ(reached, leave);
     }
@@ -87,9 +86,9 @@ TEST_F(FunctionCellsTest, SlopesHoldAllQuotientsOfAPiece) {
             const Vec3 p = r.at(t);
             return field(p.x, p.y, p.z);
         };
-        cells_.walk(r, enter, leave, true, [&](double from, double to, CellSign sign, size_t cell) {
+        cells_.walk(r, enter, leave, [&](double from, double to, CellSign sign, size_t cell) {
             if (sign != CellSign::unclear || to - from < 1e-3) return true;
-            const Interval slope = cells_.slope(cell, r.direction, along);
+            const Interval slope = cells_.content(cell, r.direction, along).slope;
             for (int k = 0; k < 8; ++k) {
                 const double a = number(from, to);
                 const double b = number(from, to);
@@ -117,8 +116,7 @@ TEST_F(FunctionCellsTest, HullHoldsTheSolid) {
 TEST_F(FunctionCellsTest, StopsWhenToldTo) {
     int pieces = 0;
     const Ray r{Vec3{-1.0, 0.0, 0.1}, Vec3{1.0, 0.0, 0.0}};
-    EXPECT_FALSE(
-        cells_.walk(r, 0.0, 2.1, true, [&](double, double, CellSign, size_t) { return ++pieces < 2; }));
+    EXPECT_FALSE(cells_.walk(r, 0.0, 2.1, [&](double, double, CellSign, size_t) { return ++pieces < 2; }));
     EXPECT_EQ(pieces, 2);
 }
 
