@@ -3,6 +3,7 @@
 #include "compile/geometry.h"
 #include "stress.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -41,6 +42,24 @@ std::vector<Standing> make_standing(double scale, double sizes) {
     return all;
 }
 
+/// True if the light's ray surely meets the body: between its first two crossings it is inside. Points above
+/// do not see a rise that is lower than they are.
+bool passes_through_body(const Geometry& geometry, const RayQuery& shadow) {
+    const Leaf& leaf = geometry.leaf(shadow.origin_leaf);
+    const Ray ray = leaf.in_world_space ? shadow.ray
+                                        : Ray{leaf.object_from_world.point(shadow.ray.origin),
+                                              leaf.object_from_world.direction(shadow.ray.direction)};
+    ShapeRay query{ray};
+    query.starts_on_surface = true;
+    query.origin_part = shadow.origin_part;
+    Crossings all;
+    leaf.shape->crossings(query, all);
+    std::vector<double> t;
+    for (size_t i = 0; i < all.size(); ++i) t.push_back(all[i].t);
+    std::ranges::sort(t);
+    return t.size() > 1 && leaf.shape->inside(ray.at(0.5 * (t[0] + t[1])));
+}
+
 Trial look(const Standing& standing, Dice& dice) {
     const Geometry& geometry = *standing.world.geometry;
     RayQuery query;
@@ -53,7 +72,7 @@ Trial look(const Standing& standing, Dice& dice) {
     const Vec3 n = glm::dot(hit.normal, from) > 0.0 ? -hit.normal : hit.normal;
     const Vec3 along = glm::normalize(glm::cross(n, dice.direction()));
     const Vec3 to_light = glm::normalize(steep * n + std::sqrt(1 - steep * steep) * along);
-    const auto dark_at = [&](double height) {
+    const auto toward_light = [&](double height) {
         RayQuery shadow;
         shadow.mask = seen_by_trace;
         shadow.ray = {hit.point + height * standing.scale * n, to_light};
@@ -63,14 +82,17 @@ Trial look(const Standing& standing, Dice& dice) {
             shadow.origin_error = hit.error;
             shadow.origin_part = hit.crossing.part;
         }
+        return shadow;
+    };
+    const auto dark_at = [&](double height) {
         uint32_t blocker = no_leaf;
-        return geometry.occluded(shadow, blocker);
+        return geometry.occluded(toward_light(height), blocker);
     };
     const bool dark = dark_at(0.0);
-    // The lowest for real shadows of parts of the shape that rise above the ray by less than the others.
     for (const double height : {1e-9, 1e-7, 1e-6, 1e-5}) {
         if (dark == dark_at(height)) return {};
     }
+    if (dark && passes_through_body(geometry, toward_light(0.0))) return {};
     const Vec3 p = (hit.point - standing.offset) / standing.scale;
     return {true, fmt::format("{}: {} at <{:.17g},{:.17g},{:.17g}> towards <{:.17g},{:.17g},{:.17g}>",
                               standing.name, dark ? "dark" : "lit", p.x, p.y, p.z, to_light.x, to_light.y,
