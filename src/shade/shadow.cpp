@@ -129,13 +129,11 @@ Rgb ShadowTracer::along(const LightProgram& light, const HitPoint& hit, RayQuery
     }
     query.t_max = shadow_reach(end);
     if (!(query.t_max > 0.0)) return color;
-    if (is_dimmed(light.light()) && state_.in_the_open(program_.world, state_.ray_of(hit).inside)) {
-        color *= air_filter(query.ray, distance, state_.ray_of(hit).seed);
-    }
-    if (candidates && candidates->none()) return color;
+    if (candidates && candidates->none()) return through_air(light, hit, query.ray, distance, color);
     ++state_.counters.shadow;
     query.mask = program_.shadow_mask;
-    if (!program_.geometry.occluded(query, blocker, candidates)) return color;
+    if (!program_.geometry.occluded(query, blocker, candidates))
+        return through_air(light, hit, query.ray, distance, color);
     constexpr int either = blocks_light | filters_light;
     if ((program_.geometry.leaf(blocker).mask & either) == blocks_light) return Rgb(0.0f);
     // Something clear is in the way; whatever is opaque behind or before it decides first.
@@ -147,10 +145,22 @@ Rgb ShadowTracer::along(const LightProgram& light, const HitPoint& hit, RayQuery
         return Rgb(0.0f);
     }
     query.mask = filters_light;
-    return filtered(hit, query, color, candidates);
+    return filtered(light, hit, query, distance, color, candidates);
 }
 
-Rgb ShadowTracer::filtered(const HitPoint& from, RayQuery query, Rgb color, const Candidates* candidates) {
+/// All the way to the light, where nothing is between.
+Rgb ShadowTracer::through_air(const LightProgram& light, const HitPoint& from, const Ray& ray,
+                              double distance, const Rgb& color) {
+    if (!is_dimmed(light.light())) return color;
+    const PathRay& seen = state_.ray_of(from);
+    return color * air_filter(ray, distance, state_.interiors.view(seen.inside), false, seen.seed);
+}
+
+/// `distance`: to the light; what is behind the query's end is air alone.
+Rgb ShadowTracer::filtered(const LightProgram& light, const HitPoint& from, RayQuery query, double distance,
+                           Rgb color, const Candidates* candidates) {
+    const bool dimmed = is_dimmed(light.light());
+    const uint64_t seed = state_.ray_of(from).seed;
     const auto view = state_.interiors.view(state_.ray_of(from).inside);
     thread_local std::vector<uint32_t> inside;
     inside.assign(view.begin(), view.end());
@@ -158,8 +168,9 @@ Rgb ShadowTracer::filtered(const HitPoint& from, RayQuery query, Rgb color, cons
     while (program_.geometry.closest(query, hit, candidates)) {
         color *= filter_of(hit, query.ray, inside);
         if (program_.media.fills_interiors() && !inside.empty()) {
-            color *= media_filter(query.ray, hit.t, inside, state_.ray_of(from).seed);
+            color *= media_filter(query.ray, hit.t, inside, seed);
         }
+        if (dimmed) color *= air_filter(query.ray, hit.t, inside, true, seed);
         if (is_black(color)) return Rgb(0.0f);
         const uint32_t interior = program_.surface_of(hit).interior;
         const auto known = std::find(inside.begin(), inside.end(), interior);
@@ -169,20 +180,29 @@ Rgb ShadowTracer::filtered(const HitPoint& from, RayQuery query, Rgb color, cons
             inside.push_back(interior);
         }
         query.t_max -= hit.t;
-        if (!(query.t_max > 0.0)) break;
+        distance -= hit.t;
         query.ray.origin = hit.point;
         query.origin_leaf = hit.leaf;
         query.origin_part = hit.crossing.part;
         query.origin_member = hit.crossing.member;
         query.origin_error = hit.error;
+        if (!(query.t_max > 0.0)) break;
     }
+    if (dimmed) color *= air_filter(query.ray, distance, inside, false, seed);
     return color;
 }
 
-/// What fog and media in the air leave of light that crosses them.
-Rgb ShadowTracer::air_filter(const Ray& ray, double length, uint64_t seed) {
-    const Rgb past_fog = program_.fog.along(ray, length).attenuation;
-    if (!program_.media.fills_air()) return past_fog;
+bool ShadowTracer::are_hollow(std::span<const uint32_t> interiors) const {
+    return std::ranges::all_of(interiors, [&](uint32_t i) { return program_.world.interiors[i].hollow; });
+}
+
+/// What fog and media in the air leave of light that crosses them within these interiors. Solid ones keep fog
+/// out, and media only where the way does not end on a surface (measured).
+Rgb ShadowTracer::air_filter(const Ray& ray, double length, std::span<const uint32_t> inside,
+                             bool ends_on_surface, uint64_t seed) {
+    const bool in_the_open = are_hollow(inside);
+    const Rgb past_fog = in_the_open ? program_.fog.along(ray, length).attenuation : Rgb(1.0f);
+    if (!program_.media.fills_air() || !(in_the_open || ends_on_surface)) return past_fog;
     program_.media.mix_of_air(mix_);
     return past_fog *
            MediaPath(mix_, ray, mixed(seed, std::bit_cast<uint64_t>(length)), nullptr).attenuation(length);
@@ -191,8 +211,7 @@ Rgb ShadowTracer::air_filter(const Ray& ray, double length, uint64_t seed) {
 /// The same of media in these interiors.
 Rgb ShadowTracer::media_filter(const Ray& ray, double length, std::span<const uint32_t> inside,
                                uint64_t seed) {
-    const auto is_hollow = [&](uint32_t interior) { return program_.world.interiors[interior].hollow; };
-    if (!std::ranges::all_of(inside, is_hollow)) return Rgb(1.0f);
+    if (!are_hollow(inside)) return Rgb(1.0f);
     program_.media.mix_of(inside, mix_);
     if (mix_.empty()) return Rgb(1.0f);
     return MediaPath(mix_, ray, mixed(seed, std::bit_cast<uint64_t>(length)), nullptr).attenuation(length);
