@@ -125,6 +125,15 @@ private:
         app.add_option("--instances", settings.instances,
                        "auto, always or never: whether copies of a compound share its surfaces; same picture")
             ->transform(CLI::CheckedTransformer(sharing));
+        const std::map<std::string, AreaLightMode> areas{{"auto", AreaLightMode::as_written},
+                                                         {"grid", AreaLightMode::grid},
+                                                         {"smooth", AreaLightMode::smooth},
+                                                         {"true", AreaLightMode::true_area}};
+        app.add_option(
+               "--area-light", settings.area_lights,
+               "grid, smooth or true: area lights as POV-Ray's grid of points, as the grid's density, or "
+               "as even areas (default: the grid, or its density with jitter)")
+            ->transform(CLI::CheckedTransformer(areas));
         const std::map<std::string, DumpStage> stages{
             {"tokens", DumpStage::tokens}, {"blocks", DumpStage::blocks}, {"scene", DumpStage::scene}};
         app.add_option("--dump", settings.dump, "print tokens, blocks or scene instead of rendering")

@@ -58,6 +58,7 @@ RenderOptions render_options(const Settings& settings) {
     options.shading.quality = settings.quality;
     options.shading.skip_unneeded = settings.skip_unneeded;
     options.shading.alpha_output = settings.alpha;
+    options.shading.area_lights = settings.area_lights;
     return options;
 }
 

@@ -23,6 +23,9 @@ Vec3 reach_of(const AreaGrid& grid) {
     return glm::abs(grid.axis1) * share1 + glm::abs(grid.axis2) * share2;
 }
 
+/// More would differ by less than a picture's last bit.
+constexpr uint32_t most_samples = 1024;
+
 Vec3 unit(const Vec3& v) {
     const double length = glm::length(v);
     return length > 0.0 ? v / length : v;
@@ -30,7 +33,7 @@ Vec3 unit(const Vec3& v) {
 
 }  // namespace
 
-LightProgram::LightProgram(const Light& light, const Geometry* projected_through)
+LightProgram::LightProgram(const Light& light, const Geometry* projected_through, AreaLightMode mode)
     : light_(light), projected_through_(projected_through) {
     direction_ = unit(light.point_at - light.location);
     cos_radius_ = std::cos(light.radius * (pi / 180.0));
@@ -43,12 +46,40 @@ LightProgram::LightProgram(const Light& light, const Geometry* projected_through
     grid.size2 = std::max(grid.size2, 1);
     if (grid.orient) grid.circular = true;
     if (grid.size1 < 2 || grid.size2 < 2) grid.circular = false;
-    if (light.is_area) area_reach_ = reach_of(grid);
+    if (!light.is_area) return;
+    area_reach_ = reach_of(grid);
+    set_up_area(mode);
 }
 
-uint32_t LightProgram::sample_count() const {
+void LightProgram::set_up_area(AreaLightMode mode) {
+    const AreaGrid& grid = light_.area;
+    if (grid.size1 > 1) grid_step_.x = 1.0 / (grid.size1 - 1);
+    if (grid.size2 > 1) grid_step_.y = 1.0 / (grid.size2 - 1);
+    even_ = mode == AreaLightMode::true_area;
+    if (mode == AreaLightMode::grid || (mode == AreaLightMode::as_written && !grid.jitter)) return;
+    density_ = {AxisDensity(grid.size1), AxisDensity(grid.size2)};
+    pattern_count_ = std::clamp(grid_count(), 1u, most_samples);
+    pilot_count_ = pattern_count_;
+}
+
+uint32_t LightProgram::grid_count() const {
     if (!light_.is_area) return 1;
     return static_cast<uint32_t>(light_.area.size1) * static_cast<uint32_t>(light_.area.size2);
+}
+
+Vec2 LightProgram::density_place(const Vec2& u) const {
+    if (even_) return even_place(u);
+    return {density_[0].place(u.x), density_[1].place(u.y)};
+}
+
+Vec2 LightProgram::even_place(const Vec2& u) const {
+    const Vec2 size{light_.area.size1, light_.area.size2};
+    return even_ ? u * (size - 1.0) : u * size - 0.5;
+}
+
+Vec2 LightProgram::area_share() const {
+    const auto share = [](double step) { return step == 0.0 ? 0.0 : 0.5 * (1.0 + step) + 0.001; };
+    return {share(grid_step_.x), share(grid_step_.y)};
 }
 
 void LightProgram::toward(const Vec3& p, std::span<const Vec3> offsets, std::span<LightVector> ways) const {

@@ -62,6 +62,7 @@ void MediaTracer::add_light(const LightSpan& span, std::span<const double> dista
         if (!source.area_illumination()) color *= static_cast<float>(source.attenuation(points[i], way));
         if (is_black(color)) continue;
         place.point = points[i];
+        place.t = distances[i];
         // Method 3 looks where the way begins: on the surface that the ray has come through.
         const bool at_start = std::abs(distances[i]) <= ray.origin_error;
         place.leaf = at_start ? ray.origin_leaf : no_leaf;

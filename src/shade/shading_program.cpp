@@ -72,7 +72,7 @@ void ShadingProgram::add_lights() {
     for (const WorldLight& placed : world.lights) {
         Light light = placed.light;
         if (options.quality < 5) light.is_area = false;
-        LightProgram program(light, placed.projected_through.get());
+        LightProgram program(light, placed.projected_through.get(), options.area_lights);
         if (placed.is_global) global.push_back(static_cast<uint32_t>(lights.size()));
         first_sample.push_back(sample_count);
         sample_count += program.sample_count();

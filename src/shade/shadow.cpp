@@ -1,7 +1,6 @@
 #include "shade/shadow.h"
 
 #include "math/random.h"
-#include "shade/area_sampler.h"
 #include "shade/media_path.h"
 
 #include <algorithm>
@@ -19,6 +18,8 @@ float difference(const Rgb& a, const Rgb& b) {
 /// What lies at one end of the way, up to rounding, is not on it. (The reference leaves out 0.001 units,
 /// whatever the scene's size.)
 constexpr double end_share = 1e-6;
+/// Of colours that count as the same, sum over the channels (as in the reference's adaptive grids).
+constexpr float agreement = 0.1f;
 double shadow_reach(double distance) { return distance * (1.0 - end_share); }
 
 /// How far it is to the object that a light is projected through: what is behind it casts no shadow. Nothing
@@ -303,10 +304,13 @@ Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector
     Candidates memory_of_candidates;
     candidates = narrowed(program_.lights[light], hit, to_center, candidates, memory_of_candidates);
     if (passes_all(program_.lights[light], candidates)) return color;
+    const AreaSampler sampler(program_.lights[light],
+                              StreamState::light_seed(state_.ray_of(hit), hit, light, 0),
+                              to_center.direction);
+    if (program_.lights[light].samples_by_pattern())
+        return over_pattern(light, hit, sampler, color, candidates);
     Scratch::Scope memory(thread_scratch());
     const size_t count = program_.lights[light].sample_count();
-    const AreaSampler sampler(program_.lights[light], light, state_.ray_of(hit).seed, to_center.direction, 0,
-                              memory);
     Grid grid{light,
               hit,
               sampler,
@@ -321,6 +325,62 @@ Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector
     return grid_cell(grid, 0, 0, area.size1 - 1, area.size2 - 1, 0);
 }
 
+/// The mean over the light's pattern. What proves to lie in full shadow, and what the first samples agree
+/// about, is not sampled to the end.
+Rgb ShadowTracer::over_pattern(size_t index, const HitPoint& hit, const AreaSampler& sampler,
+                               const Rgb& color, const Candidates* candidates) {
+    constexpr uint32_t at_once = 4;
+    const LightProgram& light = program_.lights[index];
+    const uint32_t count = light.sample_count();
+    const auto blockers = std::span(state_.blockers).subspan(program_.first_sample[index], count);
+    RayQuery query = StreamState::query_from(hit, Vec3{0.0}, 0.0, program_.shadow_mask);
+    std::array<Vec3, at_once> offsets;
+    std::array<LightVector, at_once> ways;
+    Rgb sum(0.0f);
+    Rgb least(std::numeric_limits<float>::infinity());
+    Rgb most = -least;
+    for (uint32_t begin = 0; begin < count; begin += at_once) {
+        const uint32_t n = std::min(at_once, count - begin);
+        for (uint32_t k = 0; k < n; ++k) offsets[k] = sampler.pattern_place(begin + k);
+        light.toward(hit.point, std::span(offsets).first(n), ways);
+        for (uint32_t k = 0; k < n; ++k) {
+            query.ray.direction = ways[k].direction;
+            const Rgb arrived =
+                along(light, hit, query, ways[k].distance, color, candidates, blockers[begin + k]);
+            sum += arrived;
+            least = glm::min(least, arrived);
+            most = glm::max(most, arrived);
+        }
+        const uint32_t taken = begin + n;
+        if (begin == 0 && is_black(most) && is_in_umbra(light, hit, sampler, blockers.first(n), candidates))
+            return Rgb(0.0f);
+        if (taken >= light.pilot_count() && difference(least, most) <= agreement)
+            return sum / static_cast<float>(taken);
+    }
+    return sum / static_cast<float>(count);
+}
+
+/// True if one convex body hides all of the light: it does so if it hides the corners of a parallelogram
+/// around it, since what a convex body hides of a plane is convex. `blockers`: of some samples, all of which
+/// are hidden.
+bool ShadowTracer::is_in_umbra(const LightProgram& light, const HitPoint& hit, const AreaSampler& sampler,
+                               std::span<const uint32_t> blockers, const Candidates* candidates) {
+    if (!program_.options.skip_unneeded || light.is_directed() || light.projected_through()) return false;
+    const uint32_t body = blockers.front();
+    if (body == no_leaf || body == hit.leaf) return false;
+    if (std::ranges::any_of(blockers, [&](uint32_t b) { return b != body; })) return false;
+    if (!program_.geometry.is_convex_body(body, hit.point)) return false;
+    for (const Vec3& corner : sampler.hull()) {
+        const LightVector way = light.toward(hit.point, corner);
+        RayQuery query =
+            StreamState::query_from(hit, way.direction, shadow_reach(way.distance), blocks_light);
+        uint32_t blocker = body;
+        ++state_.counters.shadow;
+        if (!program_.geometry.occluded(query, blocker, candidates) || blocker != body) return false;
+    }
+    return true;
+}
+
 /// Finds out what arrives from the corners of a cell, as far as it is not known. Their directions are worked
 /// out together, so that roots and divisions overlap.
 void ShadowTracer::look_at_corners(Grid& grid, const std::array<GridCorner, 4>& corners) {
@@ -333,7 +393,7 @@ void ShadowTracer::look_at_corners(Grid& grid, const std::array<GridCorner, 4>& 
         if (grid.known[corner.index]) continue;
         grid.known[corner.index] = 1;
         unknown[count] = corner.index;
-        offsets[count++] = grid.sampler.offset(corner.u, corner.v);
+        offsets[count++] = grid.sampler.grid_place(corner.u, corner.v);
     }
     if (count == 0) return;
     light.toward(grid.hit.point, std::span(offsets).first(count), grid.ways);
