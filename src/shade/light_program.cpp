@@ -1,6 +1,7 @@
 #include "shade/light_program.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <emmintrin.h>
 
@@ -23,8 +24,23 @@ Vec3 reach_of(const AreaGrid& grid) {
     return glm::abs(grid.axis1) * share1 + glm::abs(grid.axis2) * share2;
 }
 
-/// More would differ by less than a picture's last bit.
-constexpr uint32_t most_samples = 1024;
+/// Samples of the pattern in place of so many of a jittered grid, which are noisier still
+/// (docs/performance.md). More than 1024 would differ by less than a picture's last bit. `is_adaptive`: the
+/// reference would look more closely at edges alone, where there are about as many points as along the grid's
+/// sides.
+uint32_t pattern_size(uint32_t grid_count, bool is_adaptive) {
+    constexpr uint32_t fewest = 16;
+    const auto along_edges = static_cast<uint32_t>(3.0 * std::sqrt(grid_count));
+    const uint32_t half = std::bit_floor(grid_count / 2);
+    const uint32_t enough = is_adaptive ? std::min(half, std::bit_ceil(along_edges)) : half;
+    return std::clamp(enough, std::min(grid_count, fewest), 1024u);
+}
+
+/// As many as the reference looks at before it decides, or a few more.
+uint32_t pilot_size(int adaptive) {
+    const uint32_t side = (1u << std::clamp(adaptive, 0, 5)) + 1;
+    return std::bit_ceil(side * side);
+}
 
 Vec3 unit(const Vec3& v) {
     const double length = glm::length(v);
@@ -58,8 +74,9 @@ void LightProgram::set_up_area(AreaLightMode mode) {
     even_ = mode == AreaLightMode::true_area;
     if (mode == AreaLightMode::grid || (mode == AreaLightMode::as_written && !grid.jitter)) return;
     density_ = {AxisDensity(grid.size1), AxisDensity(grid.size2)};
-    pattern_count_ = std::clamp(grid_count(), 1u, most_samples);
-    pilot_count_ = pattern_count_;
+    const uint32_t pilot = pilot_size(grid.adaptive);
+    pattern_count_ = pattern_size(grid_count(), pilot < grid_count());
+    pilot_count_ = std::min(pilot, pattern_count_);
 }
 
 uint32_t LightProgram::grid_count() const {

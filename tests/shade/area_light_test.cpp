@@ -201,7 +201,7 @@ TEST(AreaPattern, ProofsOfShadowChangeNothing) {
         s.options.skip_unneeded = true;
         RayCounters counters;
         s.look_all(dark, &counters);
-        EXPECT_LT(counters.shadow, 12 * dark.size()) << body;
+        EXPECT_LT(counters.shadow, 16 * dark.size()) << body;
     }
 }
 
