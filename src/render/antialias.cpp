@@ -2,12 +2,10 @@
 
 #include "base/scratch.h"
 #include "math/jitter.h"
-#include "math/random.h"
 #include "render/adaptive_methods.h"
 #include "render/block_borders.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <unordered_map>
 
@@ -31,10 +29,6 @@ Radiance mean(std::span<const CameraRay> rays, std::span<const Radiance> lights)
 }
 
 }  // namespace
-
-uint64_t Sampler::seed_at(const Vec2& position) const {
-    return mixed(mixed(seed_, std::bit_cast<uint64_t>(position.x)), std::bit_cast<uint64_t>(position.y));
-}
 
 void Sampler::sample(std::span<const Vec2> positions, std::span<Radiance> out) {
     if (lens_.is_open()) return sample_through_lens(positions, out);

@@ -1,7 +1,9 @@
 #pragma once
+#include "math/random.h"
 #include "render/lens.h"
 #include "render/sample_distance.h"
 
+#include <bit>
 #include <functional>
 #include <span>
 
@@ -43,7 +45,9 @@ public:
         : integrator_(integrator), rays_(rays), lens_(lens), seed_(seed), counters_(counters) {}
 
     /// What decides the random draws of a sample at a picture position.
-    uint64_t seed_at(const Vec2& position) const;
+    uint64_t seed_at(const Vec2& position) const {
+        return mixed(mixed(seed_, std::bit_cast<uint64_t>(position.x)), std::bit_cast<uint64_t>(position.y));
+    }
 
     void sample(std::span<const Vec2> positions, std::span<Radiance> out);
 
