@@ -3,6 +3,7 @@
 
 #include "app/ini_options.h"
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -30,6 +31,22 @@ void set_size(Settings& settings, const std::string& text) {
     if (cross == std::string::npos) throw UsageError(fmt::format("--size {}: WIDTHxHEIGHT expected", text));
     set_option(settings, "Width", text.substr(0, cross));
     set_option(settings, "Height", text.substr(cross + 1));
+}
+
+/// "0.5%" or "0.005"; more than 0.
+double share_of(const std::string& text) {
+    double value = 0;
+    size_t used = 0;
+    try {
+        value = std::stod(text, &used);
+    } catch (const std::logic_error&) {
+        used = 0;
+    }
+    const std::string unit = text.substr(used);
+    if (unit == "%") value /= 100.0;
+    if (used == 0 || (unit != "" && unit != "%") || !(value > 0.0) || !std::isfinite(value))
+        throw UsageError(fmt::format("--error {}: a share such as 0.5% expected", text));
+    return value;
 }
 
 CommandLine parse_diff(const std::vector<std::string>& arguments) {
@@ -95,6 +112,11 @@ public:
         if (size_) set_size(settings, *size_);
         if (threads_) set_option(settings, "Work_Threads", *threads_);
         if (quality_) set_option(settings, "Quality", *quality_);
+        if (error_) {
+            settings.antialias = true;
+            settings.antialias_options.method = method_by_error;
+            settings.antialias_options.error = share_of(*error_);
+        }
         if (!output_) return;
         set_option(settings, "Output_File_Name", *output_);
         if (const auto type = file_type_for(*output_)) settings.file_type = *type;
@@ -125,6 +147,22 @@ private:
         app.add_option("--instances", settings.instances,
                        "auto, always or never: whether copies of a compound share its surfaces; same picture")
             ->transform(CLI::CheckedTransformer(sharing));
+        app.add_option(
+            "--error", error_,
+            "antialiasing: sample each pixel until its error is estimated to be below this, such as 0.5%");
+        app.add_option("--max-samples", settings.antialias_options.max_samples,
+                       "most samples of a pixel with --error (default: 1024)")
+            ->check(CLI::Range(1u, 1u << 24));
+        app.add_option("--seed", settings.seed, "another number changes everything that is drawn at random");
+        const std::map<std::string, AreaLightMode> areas{{"auto", AreaLightMode::as_written},
+                                                         {"grid", AreaLightMode::grid},
+                                                         {"smooth", AreaLightMode::smooth},
+                                                         {"true", AreaLightMode::true_area}};
+        app.add_option(
+               "--area-light", settings.area_lights,
+               "grid, smooth or true: area lights as POV-Ray's grid of points, as the grid's density, or "
+               "as even areas (default: the grid, or its density with jitter)")
+            ->transform(CLI::CheckedTransformer(areas));
         const std::map<std::string, DumpStage> stages{
             {"tokens", DumpStage::tokens}, {"blocks", DumpStage::blocks}, {"scene", DumpStage::scene}};
         app.add_option("--dump", settings.dump, "print tokens, blocks or scene instead of rendering")
@@ -135,7 +173,7 @@ private:
         app.add_flag("--brute-force", settings.brute_force, "no kD-trees; same picture, slowly");
     }
 
-    std::optional<std::string> output_, size_, quality_, threads_;
+    std::optional<std::string> output_, size_, quality_, threads_, error_;
     bool version_ = false;
     bool no_skip_ = false;
 };

@@ -192,7 +192,13 @@ std::vector<Option> make_options() {
          }},
         {"sampling_method",
          [](Settings& s, std::string_view n, std::string_view v) {
-             s.antialias_options.method = std::clamp(to_integer(n, v), 0, 2);
+             s.antialias_options.method = std::clamp(to_integer(n, v), 0, 3);
+         }},
+        {"antialias_confidence",
+         [](Settings& s, std::string_view n, std::string_view v) {
+             s.antialias_options.confidence = to_number(n, v);
+             if (!(s.antialias_options.confidence > 0.0 && s.antialias_options.confidence < 1.0))
+                 bad_value(n, v, "a number between 0 and 1");
          }},
         {"antialias_gamma",
          [](Settings& s, std::string_view n, std::string_view v) {

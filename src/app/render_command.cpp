@@ -52,12 +52,14 @@ RenderOptions render_options(const Settings& settings) {
     options.region = region_of(settings);
     options.block_size = settings.block_size;
     options.threads = settings.threads;
+    options.seed = settings.seed;
     options.antialias = settings.antialias_options;
     if (!settings.antialias) options.antialias.method = 0;
     options.antialias.jitter = settings.jitter ? settings.jitter_amount : 0.0;
     options.shading.quality = settings.quality;
     options.shading.skip_unneeded = settings.skip_unneeded;
     options.shading.alpha_output = settings.alpha;
+    options.shading.area_lights = settings.area_lights;
     return options;
 }
 
@@ -133,6 +135,9 @@ std::string identity_words(const Settings& settings, const AnimationFrame& frame
                                                        "display"};
         if (std::ranges::find(free, name) == free.end()) words += fmt::format("\n{}={}", name, value);
     }
+    words += fmt::format("\nseed {} area lights {} error {} of {}", settings.seed,
+                         static_cast<int>(settings.area_lights), settings.antialias_options.error,
+                         settings.antialias_options.max_samples);
     return words;
 }
 

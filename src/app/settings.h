@@ -92,6 +92,8 @@ struct Settings {
     // The long-option face.
     GeometryMode geometry = GeometryMode::automatic;
     double tessellation_error = 0.05;
+    uint64_t seed = 0;
+    AreaLightMode area_lights = AreaLightMode::as_written;
     bool skip_unneeded = true;
     bool brute_force = false;
     InstanceMode instances = InstanceMode::automatic;

@@ -27,6 +27,7 @@ struct Switch {
 // In the reference's order: the first whose name starts the word, and which has a value if it needs one, is
 // meant.
 constexpr std::array switches{
+    Switch{"AC", Takes::value, "Antialias_Confidence", ""},
     Switch{"AG", Takes::value, "Antialias_Gamma", ""},
     Switch{"AM", Takes::value, "Sampling_Method", ""},
     Switch{"A0", Takes::value, "Antialias_Threshold", "Antialias"},

@@ -68,6 +68,15 @@ bool Geometry::leaves_for_good(uint32_t leaf, bool outward) const {
     return curvature == Curvature::flat || (curvature == Curvature::convex && outward && !l.inverted);
 }
 
+bool Geometry::is_convex_body(uint32_t leaf, const Vec3& p) const {
+    const Leaf& l = leaves()[leaf];
+    constexpr int either = blocks_light | filters_light;
+    if ((l.mask & either) != blocks_light || l.instance != no_surface || !l.shape->is_convex_body())
+        return false;
+    if (parts->flat.solids.nodes[l.solid].tests_hits) return false;
+    return !l.shape->inside(l.in_world_space ? p : l.object_from_world.point(p));
+}
+
 bool Geometry::candidates(const RayBundle& bundle, uint8_t mask, uint32_t left, Candidates& out) const {
     const Parts& p = *parts;
     // Beyond that, single precision bounds nothing.

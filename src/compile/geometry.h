@@ -25,6 +25,9 @@ public:
     /// side, and not along the surface.
     bool leaves_for_good(uint32_t leaf, bool outward) const;
 
+    /// True if the leaf is opaque, the whole boundary of a convex body, and `p` is outside of it.
+    bool is_convex_body(uint32_t leaf, const Vec3& p) const;
+
     /// The nearest crossing that counts (CSG, clips, mask), beyond the origin and before t_max. `candidates`,
     /// here and below: of a bundle that holds the ray, or null.
     bool closest(const RayQuery& query, Hit& hit, const Candidates* candidates = nullptr) const;

@@ -19,9 +19,6 @@ void read_background_statement(Session& session, const Block& block, const ReadC
     if (session.effective_version() < 370) {
         color.filter = 0;
         color.transmit = 0;
-    } else {
-        const float shown = 1 - color.transmit;
-        color = {color.red * shown, color.green * shown, color.blue * shown, 0, 0};
     }
     session.scene.background = color;
 }

@@ -2,21 +2,16 @@
 
 #include "base/scratch.h"
 #include "math/jitter.h"
-#include "math/random.h"
+#include "render/adaptive_methods.h"
 #include "render/block_borders.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <unordered_map>
 
 namespace rb {
 
 namespace {
-
-uint64_t seed_of(const Vec2& p) {
-    return mixed(mixed(0, std::bit_cast<uint64_t>(p.x)), std::bit_cast<uint64_t>(p.y));
-}
 
 /// Over the rays that exist; where none does, what any of them shows.
 Radiance mean(std::span<const CameraRay> rays, std::span<const Radiance> lights) {
@@ -41,7 +36,7 @@ void Sampler::sample(std::span<const Vec2> positions, std::span<Radiance> out) {
     Scratch::Scope memory(thread_scratch());
     const auto batch = memory.take<CameraRay>(positions.size());
     rays_.at(positions, batch);
-    for (size_t i = 0; i < positions.size(); ++i) batch[i].seed = seed_of(positions[i]);
+    for (size_t i = 0; i < positions.size(); ++i) batch[i].seed = seed_at(positions[i]);
     integrator_.trace(batch, out, counters_);
 }
 
@@ -60,7 +55,7 @@ void Sampler::sample_several(std::span<const Vec2> positions, std::span<Radiance
             const Vec2& p = places[i / several];
             const size_t k = i % several;
             batch[i].exists = rays_.at(p.x, p.y, static_cast<int>(k), batch[i].ray);
-            batch[i].seed = mixed(seed_of(p), k);
+            batch[i].seed = mixed(seed_at(p), k);
         }
         integrator_.trace(batch.first(count), lights.first(count), counters_);
         for (size_t i = 0; i < places.size(); ++i) {
@@ -83,7 +78,7 @@ void Sampler::sample_through_lens(std::span<const Vec2> positions, std::span<Rad
             for (int k = first; k < first + lens_.next_chunk(first); ++k) {
                 CameraRay& ray = batch.emplace_back();
                 ray.exists = lens_.ray(rays_, positions[i].x, positions[i].y, k, ray.ray);
-                ray.seed = mixed(seed_of(positions[i]), static_cast<uint64_t>(k));
+                ray.seed = mixed(seed_at(positions[i]), static_cast<uint64_t>(k));
             }
         }
         lights.resize(batch.size());
@@ -433,6 +428,12 @@ void render_block(Sampler& sampler, const PixelBlock& block, const AntialiasOpti
             break;
         case 2:
             CornerMethod(sampler, block, options, distance).render(out);
+            break;
+        case 3:
+            render_by_confidence(sampler, block, options, distance, out);
+            break;
+        case method_by_error:
+            render_by_error(sampler, block, options, distance, out);
             break;
         default:
             render_plain(sampler, block, out);

@@ -1,21 +1,30 @@
 #pragma once
+#include "math/random.h"
 #include "render/lens.h"
 #include "render/sample_distance.h"
 
+#include <bit>
 #include <functional>
 #include <span>
 
 namespace rb {
 
 /// Antialiasing as the reference does it (shading spec 12): `method` 0 none, 1 the centre and its neighbours
-/// decide on depth^2 more samples, 2 recursive refinement between pixel corners.
+/// decide on depth^2 more samples, 2 recursive refinement between pixel corners; 3 as version 3.8 does; or
+/// our own. See adaptive_methods.h for the last two.
 struct AntialiasOptions {
     int method = 0;
     double threshold = 0.3;
     int depth = 3;
     double jitter = 1.0;
     double gamma = 2.5;
+    double confidence = 0.9;  ///< method 3
+    double error = 0.005;     ///< method_by_error: standard error of a pixel, as a picture shows it (0..1)
+    uint32_t max_samples = 1024;  ///< of a pixel by that method
 };
+
+/// AntialiasOptions::method of our own: each pixel is sampled until its error is small enough.
+constexpr int method_by_error = 4;
 
 /// A rectangle of pixels [x0, x1) x [y0, y1).
 struct PixelBlock {
@@ -30,8 +39,15 @@ struct PixelBlock {
 /// Traces samples in batches at continuous picture positions.
 class Sampler {
 public:
-    Sampler(const Integrator& integrator, const CameraRays& rays, const Lens& lens, RayCounters& counters)
-        : integrator_(integrator), rays_(rays), lens_(lens), counters_(counters) {}
+    /// `seed`: another one changes all random draws.
+    Sampler(const Integrator& integrator, const CameraRays& rays, const Lens& lens, uint64_t seed,
+            RayCounters& counters)
+        : integrator_(integrator), rays_(rays), lens_(lens), seed_(seed), counters_(counters) {}
+
+    /// What decides the random draws of a sample at a picture position.
+    uint64_t seed_at(const Vec2& position) const {
+        return mixed(mixed(seed_, std::bit_cast<uint64_t>(position.x)), std::bit_cast<uint64_t>(position.y));
+    }
 
     void sample(std::span<const Vec2> positions, std::span<Radiance> out);
 
@@ -42,6 +58,7 @@ private:
     const Integrator& integrator_;
     const CameraRays& rays_;
     const Lens& lens_;
+    uint64_t seed_;
     RayCounters& counters_;
 };
 

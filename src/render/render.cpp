@@ -68,7 +68,7 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
         RayCounters counters;
         Scratch::Scope memory(thread_scratch());
         const auto pixels = memory.take<Radiance>(count);
-        Sampler sampler(integrator, rays, lens, counters);
+        Sampler sampler(integrator, rays, lens, options.seed, counters);
         render_block(sampler, block, options.antialias, distance, borders ? &*borders : nullptr, pixels);
 
         const std::lock_guard lock(mutex);

@@ -31,6 +31,7 @@ struct RenderOptions {
     int threads = 0;  ///< 0: all cores that this process may use
     AntialiasOptions antialias;
     ShadingOptions shading;
+    uint64_t seed = 0;  ///< another one changes all random draws
 };
 
 struct RenderResult {

@@ -23,6 +23,8 @@ class SampleDistance {
 public:
     SampleDistance(const std::optional<GammaCurve>& assumed_gamma, double antialias_gamma);
     double operator()(const Radiance& a, const Radiance& b) const;
+    /// A channel as comparisons see it: gamma-encoded, 0 below 0.
+    double encoded(float v) const;
 
     ComparableSample comparable(const Radiance& light) const {
         const __m128 code = _mm_setr_ps(roughly_encoded(light.rgb.x), roughly_encoded(light.rgb.y),
@@ -47,7 +49,6 @@ private:
     static constexpr float table_least = 0x1p-20f;
     static constexpr float table_greatest = 0x1p10f;
 
-    double encoded(float v) const;
     static float sum_of_magnitudes(__m128 v) {
         const __m128 magnitudes = _mm_andnot_ps(_mm_set1_ps(-0.0f), v);
         const __m128 pairs = _mm_add_ps(magnitudes, _mm_movehl_ps(magnitudes, magnitudes));

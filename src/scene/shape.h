@@ -169,6 +169,8 @@ public:
     virtual void textures_at(const Vec3& /*p*/, const Crossing&, std::vector<TextureWeight>&) const {}
 
     virtual Curvature curvature() const { return Curvature::any; }
+    /// True if the surface is all of the boundary of a convex solid.
+    virtual bool is_convex_body() const { return false; }
     virtual NormalRule normal_rule() const { return NormalRule::of_surface; }
 
     /// True if crossings cost so much that it pays to cut a ray to the box where they count before asking.

@@ -1,55 +1,47 @@
 #pragma once
-#include "base/scratch.h"
-#include "math/random.h"
+#include "math/sobol.h"
 #include "shade/light_program.h"
+
+#include <array>
 
 namespace rb {
 
-/// Where the grid samples of an area light lie for one lit point. With `jitter` each is uniform over its grid
-/// cell, as in the language, but the samples share their strata, so that they cover the light evenly
-/// (Kensler, "Correlated Multi-Jittered Sampling").
+/// Where the samples of an area light lie for one lit point: on its grid, or by a low-discrepancy pattern of
+/// the point's own (Owen-scrambled Sobol points, put through the inverse of the light's distribution).
 class AreaSampler {
 public:
-    /// `salt` tells several uses of the same light apart.
-    AreaSampler(const LightProgram& light, size_t light_index, uint64_t ray_seed, const Vec3& to_center,
-                uint64_t salt, Scratch::Scope& memory);
+    AreaSampler(const LightProgram& light, uint64_t seed, const Vec3& to_center);
 
-    Vec3 offset(int u, int v) const {
-        double x = u;
-        double y = v;
-        if (jitter_) {
-            const auto column = static_cast<size_t>(u);
-            const auto row = static_cast<size_t>(v);
-            const uint64_t draw = mixed(seed_, row * width_ + column);
-            x += (row_order_[row] + fine(draw)) * row_height_ - 0.5;
-            y += (column_order_[column] + fine(draw >> 32)) * column_width_ - 0.5;
-        }
-        if (circular_) return on_disc(x, y);
-        // An axis with a single sample does not take part.
-        const double a = step1_ != 0.0 ? x * step1_ - 0.5 : 0.0;
-        const double b = step2_ != 0.0 ? y * step2_ - 0.5 : 0.0;
-        return axis1_ * a + axis2_ * b;
+    /// A place of the grid, from the light's centre.
+    Vec3 grid_place(int u, int v) const { return at({u, v}); }
+    /// Place `index` of the pattern, by the light's density.
+    Vec3 pattern_place(uint32_t index) const {
+        return at(light_.density_place(scrambled_sobol(index, seed_)));
     }
+    /// The same where each cell of the grid counts as much as any other.
+    Vec3 even_place(uint32_t index) const { return at(light_.even_place(scrambled_sobol(index, seed_))); }
+    /// Corners of a parallelogram that holds all places, whichever of the above.
+    std::array<Vec3, 4> hull() const;
 
 private:
-    /// The low half as a fraction; through a signed integer, which converts faster.
-    static double fine(uint64_t draw) {
-        return static_cast<double>(static_cast<int64_t>(draw & 0xFFFFFFFFu)) * 0x1p-32;
+    /// `p`: in steps of the grid.
+    Vec3 at(const Vec2& p) const {
+        if (circular_) return evenly_ ? on_even_disc(p) : on_disc(p);
+        // An axis with a single sample does not take part.
+        const double a = step_.x != 0.0 ? p.x * step_.x - 0.5 : 0.0;
+        const double b = step_.y != 0.0 ? p.y * step_.y - 0.5 : 0.0;
+        return axis1_ * a + axis2_ * b;
     }
-    Vec3 on_disc(double x, double y) const;
+    Vec3 on_disc(const Vec2& p) const;
+    Vec3 on_even_disc(const Vec2& p) const;
 
+    const LightProgram& light_;
     Vec3 axis1_;
     Vec3 axis2_;
-    double step1_ = 0;  ///< between grid positions, in axis lengths; 0 with a single one
-    double step2_ = 0;
-    size_t width_ = 1;
+    Vec2 step_;  ///< between grid places, in axis lengths; 0 with a single one
     bool circular_ = false;
-    bool jitter_ = false;
+    bool evenly_ = false;
     uint64_t seed_ = 0;
-    double row_height_ = 1;  ///< of a stratum, in grid cells
-    double column_width_ = 1;
-    std::span<uint16_t> row_order_;     ///< stratum along axis 1 that each row of the grid uses
-    std::span<uint16_t> column_order_;  ///< stratum along axis 2 that each column uses
 };
 
 }  // namespace rb

@@ -213,16 +213,18 @@ Rgb DirectLight::from_area(const FinishProgram& finish, const ListedLight& light
     const Rgb arrived = arriving(light, row, way, source.color(), nullptr, memory);
     if (is_black(arrived)) return Rgb(0.0f);
     const AreaGrid& grid = source.light().area;
-    const Rgb per_sample = arrived / static_cast<float>(source.sample_count());
-    Scratch::Scope scratch(thread_scratch());
-    const AreaSampler sampler(source, light.index, state_.ray_of(hit).seed, way.direction, 1, scratch);
+    const Rgb per_sample = arrived / static_cast<float>(source.grid_count());
+    const AreaSampler sampler(source, StreamState::light_seed(state_.ray_of(hit), hit, light.index, 1),
+                              way.direction);
     LightMeeting meeting;
     meeting.highlights = !source.is_shadowless();
     meeting.crand = crand(finish, light.index, row);
     Rgb sum(0.0f);
     for (int v = 0; v < grid.size2; ++v) {
         for (int u = 0; u < grid.size1; ++u) {
-            const Vec3 offset = sampler.offset(u, v);
+            const Vec3 offset = source.samples_by_pattern()
+                                    ? sampler.even_place(static_cast<uint32_t>(v * grid.size1 + u))
+                                    : sampler.grid_place(u, v);
             const LightVector ray = source.toward(hit.point, offset);
             meeting.direction = ray.direction;
             meeting.cosine = glm::dot(row.place.normal, ray.direction);

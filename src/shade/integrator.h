@@ -1,5 +1,6 @@
 #pragma once
 #include "compile/geometry.h"
+#include "shade/area_density.h"
 
 #include <memory>
 #include <span>
@@ -27,6 +28,7 @@ struct ShadingOptions {
     bool skip_unneeded = true;
     int quality = 9;            ///< +Q, 0..9
     bool alpha_output = false;  ///< +UA
+    AreaLightMode area_lights = AreaLightMode::as_written;
 };
 
 struct RayCounters {

@@ -1,6 +1,7 @@
 #include "shade/light_program.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <emmintrin.h>
 
@@ -23,6 +24,24 @@ Vec3 reach_of(const AreaGrid& grid) {
     return glm::abs(grid.axis1) * share1 + glm::abs(grid.axis2) * share2;
 }
 
+/// Samples of the pattern in place of so many of a jittered grid, which are noisier still
+/// (docs/performance.md). More than 1024 would differ by less than a picture's last bit. `is_adaptive`: the
+/// reference would look more closely at edges alone, where there are about as many points as along the grid's
+/// sides.
+uint32_t pattern_size(uint32_t grid_count, bool is_adaptive) {
+    constexpr uint32_t fewest = 16;
+    const auto along_edges = static_cast<uint32_t>(3.0 * std::sqrt(grid_count));
+    const uint32_t half = std::bit_floor(grid_count / 2);
+    const uint32_t enough = is_adaptive ? std::min(half, std::bit_ceil(along_edges)) : half;
+    return std::clamp(enough, std::min(grid_count, fewest), 1024u);
+}
+
+/// As many as the reference looks at before it decides, or a few more.
+uint32_t pilot_size(int adaptive) {
+    const uint32_t side = (1u << std::clamp(adaptive, 0, 5)) + 1;
+    return std::bit_ceil(side * side);
+}
+
 Vec3 unit(const Vec3& v) {
     const double length = glm::length(v);
     return length > 0.0 ? v / length : v;
@@ -30,7 +49,7 @@ Vec3 unit(const Vec3& v) {
 
 }  // namespace
 
-LightProgram::LightProgram(const Light& light, const Geometry* projected_through)
+LightProgram::LightProgram(const Light& light, const Geometry* projected_through, AreaLightMode mode)
     : light_(light), projected_through_(projected_through) {
     direction_ = unit(light.point_at - light.location);
     cos_radius_ = std::cos(light.radius * (pi / 180.0));
@@ -43,12 +62,41 @@ LightProgram::LightProgram(const Light& light, const Geometry* projected_through
     grid.size2 = std::max(grid.size2, 1);
     if (grid.orient) grid.circular = true;
     if (grid.size1 < 2 || grid.size2 < 2) grid.circular = false;
-    if (light.is_area) area_reach_ = reach_of(grid);
+    if (!light.is_area) return;
+    area_reach_ = reach_of(grid);
+    set_up_area(mode);
 }
 
-uint32_t LightProgram::sample_count() const {
+void LightProgram::set_up_area(AreaLightMode mode) {
+    const AreaGrid& grid = light_.area;
+    if (grid.size1 > 1) grid_step_.x = 1.0 / (grid.size1 - 1);
+    if (grid.size2 > 1) grid_step_.y = 1.0 / (grid.size2 - 1);
+    even_ = mode == AreaLightMode::true_area;
+    if (mode == AreaLightMode::grid || (mode == AreaLightMode::as_written && !grid.jitter)) return;
+    density_ = {AxisDensity(grid.size1), AxisDensity(grid.size2)};
+    const uint32_t pilot = pilot_size(grid.adaptive);
+    pattern_count_ = pattern_size(grid_count(), pilot < grid_count());
+    pilot_count_ = std::min(pilot, pattern_count_);
+}
+
+uint32_t LightProgram::grid_count() const {
     if (!light_.is_area) return 1;
     return static_cast<uint32_t>(light_.area.size1) * static_cast<uint32_t>(light_.area.size2);
+}
+
+Vec2 LightProgram::density_place(const Vec2& u) const {
+    if (even_) return even_place(u);
+    return {density_[0].place(u.x), density_[1].place(u.y)};
+}
+
+Vec2 LightProgram::even_place(const Vec2& u) const {
+    const Vec2 size{light_.area.size1, light_.area.size2};
+    return even_ ? u * (size - 1.0) : u * size - 0.5;
+}
+
+Vec2 LightProgram::area_share() const {
+    const auto share = [](double step) { return step == 0.0 ? 0.0 : 0.5 * (1.0 + step) + 0.001; };
+    return {share(grid_step_.x), share(grid_step_.y)};
 }
 
 void LightProgram::toward(const Vec3& p, std::span<const Vec3> offsets, std::span<LightVector> ways) const {

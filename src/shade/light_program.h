@@ -1,6 +1,8 @@
 #pragma once
 #include "scene/light.h"
+#include "shade/area_density.h"
 
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -23,7 +25,8 @@ inline bool is_black(const Rgb& c) {
 class LightProgram {
 public:
     /// `projected_through`: see WorldLight; outlives this.
-    explicit LightProgram(const Light& light, const Geometry* projected_through = nullptr);
+    explicit LightProgram(const Light& light, const Geometry* projected_through = nullptr,
+                          AreaLightMode mode = AreaLightMode::as_written);
 
     const Light& light() const { return light_; }
     const Rgb& color() const { return light_.color; }
@@ -31,7 +34,25 @@ public:
     bool is_shadowless() const { return light_.kind == LightKind::shadowless; }
     /// Illuminates from every grid point with its own direction.
     bool area_illumination() const { return light_.is_area && light_.area.area_illumination; }
-    uint32_t sample_count() const;
+    /// Of the grid; 1 without an area.
+    uint32_t grid_count() const;
+    /// Of what shadow rays go to at the most: the grid's, or the pattern's.
+    uint32_t sample_count() const { return samples_by_pattern() ? pattern_count_ : grid_count(); }
+
+    /// Its area is sampled by a pattern of its density, not by its grid.
+    bool samples_by_pattern() const { return pattern_count_ != 0; }
+    /// So many samples of the pattern are taken first; where they agree, there are no more.
+    uint32_t pilot_count() const { return pilot_count_; }
+    /// The light is the same all over its axes.
+    bool is_even() const { return even_; }
+    /// From [0, 1)^2 to the grid, in its steps: by the light's density, or each cell alike.
+    Vec2 density_place(const Vec2& u) const;
+    Vec2 even_place(const Vec2& u) const;
+    /// One over the steps of the grid along each axis; 0 with a single sample.
+    const Vec2& grid_step() const { return grid_step_; }
+    /// How far samples lie from the centre at the most, in axis lengths.
+    Vec2 area_share() const;
+
     /// How far the samples lie from the centre, at the most, along each axis of the world; 0 without an area.
     const Vec3& area_reach() const { return area_reach_; }
 
@@ -54,6 +75,7 @@ public:
     }
 
 private:
+    void set_up_area(AreaLightMode mode);
     LightVector along_axis(const Vec3& p, const Vec3& offset) const;
     double cone_and_fading(const Vec3& p, const LightVector& way) const;
     double spot_cone(const LightVector& way) const;
@@ -68,6 +90,11 @@ private:
     bool fades_ = false;
     bool attenuates_ = false;
     bool directed_ = false;
+    bool even_ = false;
+    uint32_t pattern_count_ = 0;
+    uint32_t pilot_count_ = 0;
+    Vec2 grid_step_{0.0};
+    std::array<AxisDensity, 2> density_;  ///< along the axes
 };
 
 }  // namespace rb

@@ -2,6 +2,8 @@
 
 #include "math/random.h"
 
+#include <cmath>
+
 namespace rb {
 
 namespace {
@@ -47,8 +49,9 @@ void MediaTracer::add_light(const LightSpan& span, std::span<const double> dista
     const LightProgram& source = program_.lights[span.light];
     const Candidates* between = candidates(source, points);
     const bool all_arrives = shadows_.passes_all(source, between);
+    const PathRay& ray = state_.rays[ray_index_];
     HitPoint place;
-    place.direction = state_.rays[ray_index_].ray.direction;
+    place.direction = ray.ray.direction;
     place.ray = ray_index_;
     for (size_t i = 0; i < points.size(); ++i) {
         if (distances[i] < span.from || distances[i] > span.to) continue;
@@ -59,6 +62,13 @@ void MediaTracer::add_light(const LightSpan& span, std::span<const double> dista
         if (!source.area_illumination()) color *= static_cast<float>(source.attenuation(points[i], way));
         if (is_black(color)) continue;
         place.point = points[i];
+        place.t = distances[i];
+        // Method 3 looks where the way begins: on the surface that the ray has come through.
+        const bool at_start = std::abs(distances[i]) <= ray.origin_error;
+        place.leaf = at_start ? ray.origin_leaf : no_leaf;
+        place.part = at_start ? ray.origin_part : any_part;
+        place.member = at_start ? ray.origin_member : 0;
+        place.error = at_start ? ray.origin_error : 0.0;
         if (!all_arrives) color = shadows_.arriving(span.light, place, way, color, between);
         const float phase = mix_.phase(glm::dot(way.direction, place.direction));
         samples[i].emission += phase * samples[i].scattering * color;

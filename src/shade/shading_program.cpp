@@ -11,7 +11,7 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
       options(chosen),
       patterns{world_to_shade.settings.noise_generator, world_to_shade.settings.number_of_waves},
       before_37(world_to_shade.effective_version < 370),
-      sky(world_to_shade.sky_sphere, world_to_shade.background, patterns, before_37),
+      sky(world_to_shade.sky_sphere, world_to_shade.background, patterns, before_37, chosen.alpha_output),
       fog(chosen.quality >= 9 ? world_to_shade.fogs : std::vector<Fog>{}, patterns.noise_generator),
       rainbow(chosen.quality >= 9 ? world_to_shade.rainbows : std::vector<Rainbow>{}),
       media(world_to_shade, patterns, chosen.quality >= 9) {
@@ -72,7 +72,7 @@ void ShadingProgram::add_lights() {
     for (const WorldLight& placed : world.lights) {
         Light light = placed.light;
         if (options.quality < 5) light.is_area = false;
-        LightProgram program(light, placed.projected_through.get());
+        LightProgram program(light, placed.projected_through.get(), options.area_lights);
         if (placed.is_global) global.push_back(static_cast<uint32_t>(lights.size()));
         first_sample.push_back(sample_count);
         sample_count += program.sample_count();

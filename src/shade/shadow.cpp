@@ -1,7 +1,6 @@
 #include "shade/shadow.h"
 
 #include "math/random.h"
-#include "shade/area_sampler.h"
 #include "shade/media_path.h"
 
 #include <algorithm>
@@ -19,6 +18,8 @@ float difference(const Rgb& a, const Rgb& b) {
 /// What lies at one end of the way, up to rounding, is not on it. (The reference leaves out 0.001 units,
 /// whatever the scene's size.)
 constexpr double end_share = 1e-6;
+/// Of colours that count as the same, sum over the channels (as in the reference's adaptive grids).
+constexpr float agreement = 0.1f;
 double shadow_reach(double distance) { return distance * (1.0 - end_share); }
 
 /// How far it is to the object that a light is projected through: what is behind it casts no shadow. Nothing
@@ -129,13 +130,11 @@ Rgb ShadowTracer::along(const LightProgram& light, const HitPoint& hit, RayQuery
     }
     query.t_max = shadow_reach(end);
     if (!(query.t_max > 0.0)) return color;
-    if (is_dimmed(light.light()) && state_.in_the_open(program_.world, state_.ray_of(hit).inside)) {
-        color *= air_filter(query.ray, distance, state_.ray_of(hit).seed);
-    }
-    if (candidates && candidates->none()) return color;
+    if (candidates && candidates->none()) return through_air(light, hit, query.ray, distance, color);
     ++state_.counters.shadow;
     query.mask = program_.shadow_mask;
-    if (!program_.geometry.occluded(query, blocker, candidates)) return color;
+    if (!program_.geometry.occluded(query, blocker, candidates))
+        return through_air(light, hit, query.ray, distance, color);
     constexpr int either = blocks_light | filters_light;
     if ((program_.geometry.leaf(blocker).mask & either) == blocks_light) return Rgb(0.0f);
     // Something clear is in the way; whatever is opaque behind or before it decides first.
@@ -147,10 +146,22 @@ Rgb ShadowTracer::along(const LightProgram& light, const HitPoint& hit, RayQuery
         return Rgb(0.0f);
     }
     query.mask = filters_light;
-    return filtered(hit, query, color, candidates);
+    return filtered(light, hit, query, distance, color, candidates);
 }
 
-Rgb ShadowTracer::filtered(const HitPoint& from, RayQuery query, Rgb color, const Candidates* candidates) {
+/// All the way to the light, where nothing is between.
+Rgb ShadowTracer::through_air(const LightProgram& light, const HitPoint& from, const Ray& ray,
+                              double distance, const Rgb& color) {
+    if (!is_dimmed(light.light())) return color;
+    const PathRay& seen = state_.ray_of(from);
+    return color * air_filter(ray, distance, state_.interiors.view(seen.inside), false, seen.seed);
+}
+
+/// `distance`: to the light; what is behind the query's end is air alone.
+Rgb ShadowTracer::filtered(const LightProgram& light, const HitPoint& from, RayQuery query, double distance,
+                           Rgb color, const Candidates* candidates) {
+    const bool dimmed = is_dimmed(light.light());
+    const uint64_t seed = state_.ray_of(from).seed;
     const auto view = state_.interiors.view(state_.ray_of(from).inside);
     thread_local std::vector<uint32_t> inside;
     inside.assign(view.begin(), view.end());
@@ -158,8 +169,9 @@ Rgb ShadowTracer::filtered(const HitPoint& from, RayQuery query, Rgb color, cons
     while (program_.geometry.closest(query, hit, candidates)) {
         color *= filter_of(hit, query.ray, inside);
         if (program_.media.fills_interiors() && !inside.empty()) {
-            color *= media_filter(query.ray, hit.t, inside, state_.ray_of(from).seed);
+            color *= media_filter(query.ray, hit.t, inside, seed);
         }
+        if (dimmed) color *= air_filter(query.ray, hit.t, inside, true, seed);
         if (is_black(color)) return Rgb(0.0f);
         const uint32_t interior = program_.surface_of(hit).interior;
         const auto known = std::find(inside.begin(), inside.end(), interior);
@@ -169,20 +181,29 @@ Rgb ShadowTracer::filtered(const HitPoint& from, RayQuery query, Rgb color, cons
             inside.push_back(interior);
         }
         query.t_max -= hit.t;
-        if (!(query.t_max > 0.0)) break;
+        distance -= hit.t;
         query.ray.origin = hit.point;
         query.origin_leaf = hit.leaf;
         query.origin_part = hit.crossing.part;
         query.origin_member = hit.crossing.member;
         query.origin_error = hit.error;
+        if (!(query.t_max > 0.0)) break;
     }
+    if (dimmed) color *= air_filter(query.ray, distance, inside, false, seed);
     return color;
 }
 
-/// What fog and media in the air leave of light that crosses them.
-Rgb ShadowTracer::air_filter(const Ray& ray, double length, uint64_t seed) {
-    const Rgb past_fog = program_.fog.along(ray, length).attenuation;
-    if (!program_.media.fills_air()) return past_fog;
+bool ShadowTracer::are_hollow(std::span<const uint32_t> interiors) const {
+    return std::ranges::all_of(interiors, [&](uint32_t i) { return program_.world.interiors[i].hollow; });
+}
+
+/// What fog and media in the air leave of light that crosses them within these interiors. Solid ones keep fog
+/// out, and media only where the way does not end on a surface (measured).
+Rgb ShadowTracer::air_filter(const Ray& ray, double length, std::span<const uint32_t> inside,
+                             bool ends_on_surface, uint64_t seed) {
+    const bool in_the_open = are_hollow(inside);
+    const Rgb past_fog = in_the_open ? program_.fog.along(ray, length).attenuation : Rgb(1.0f);
+    if (!program_.media.fills_air() || !(in_the_open || ends_on_surface)) return past_fog;
     program_.media.mix_of_air(mix_);
     return past_fog *
            MediaPath(mix_, ray, mixed(seed, std::bit_cast<uint64_t>(length)), nullptr).attenuation(length);
@@ -191,8 +212,7 @@ Rgb ShadowTracer::air_filter(const Ray& ray, double length, uint64_t seed) {
 /// The same of media in these interiors.
 Rgb ShadowTracer::media_filter(const Ray& ray, double length, std::span<const uint32_t> inside,
                                uint64_t seed) {
-    const auto is_hollow = [&](uint32_t interior) { return program_.world.interiors[interior].hollow; };
-    if (!std::ranges::all_of(inside, is_hollow)) return Rgb(1.0f);
+    if (!are_hollow(inside)) return Rgb(1.0f);
     program_.media.mix_of(inside, mix_);
     if (mix_.empty()) return Rgb(1.0f);
     return MediaPath(mix_, ray, mixed(seed, std::bit_cast<uint64_t>(length)), nullptr).attenuation(length);
@@ -284,10 +304,13 @@ Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector
     Candidates memory_of_candidates;
     candidates = narrowed(program_.lights[light], hit, to_center, candidates, memory_of_candidates);
     if (passes_all(program_.lights[light], candidates)) return color;
+    const AreaSampler sampler(program_.lights[light],
+                              StreamState::light_seed(state_.ray_of(hit), hit, light, 0),
+                              to_center.direction);
+    if (program_.lights[light].samples_by_pattern())
+        return over_pattern(light, hit, sampler, color, candidates);
     Scratch::Scope memory(thread_scratch());
     const size_t count = program_.lights[light].sample_count();
-    const AreaSampler sampler(program_.lights[light], light, state_.ray_of(hit).seed, to_center.direction, 0,
-                              memory);
     Grid grid{light,
               hit,
               sampler,
@@ -302,6 +325,62 @@ Rgb ShadowTracer::over_area(size_t light, const HitPoint& hit, const LightVector
     return grid_cell(grid, 0, 0, area.size1 - 1, area.size2 - 1, 0);
 }
 
+/// The mean over the light's pattern. What proves to lie in full shadow, and what the first samples agree
+/// about, is not sampled to the end.
+Rgb ShadowTracer::over_pattern(size_t index, const HitPoint& hit, const AreaSampler& sampler,
+                               const Rgb& color, const Candidates* candidates) {
+    constexpr uint32_t at_once = 4;
+    const LightProgram& light = program_.lights[index];
+    const uint32_t count = light.sample_count();
+    const auto blockers = std::span(state_.blockers).subspan(program_.first_sample[index], count);
+    RayQuery query = StreamState::query_from(hit, Vec3{0.0}, 0.0, program_.shadow_mask);
+    std::array<Vec3, at_once> offsets;
+    std::array<LightVector, at_once> ways;
+    Rgb sum(0.0f);
+    Rgb least(std::numeric_limits<float>::infinity());
+    Rgb most = -least;
+    for (uint32_t begin = 0; begin < count; begin += at_once) {
+        const uint32_t n = std::min(at_once, count - begin);
+        for (uint32_t k = 0; k < n; ++k) offsets[k] = sampler.pattern_place(begin + k);
+        light.toward(hit.point, std::span(offsets).first(n), ways);
+        for (uint32_t k = 0; k < n; ++k) {
+            query.ray.direction = ways[k].direction;
+            const Rgb arrived =
+                along(light, hit, query, ways[k].distance, color, candidates, blockers[begin + k]);
+            sum += arrived;
+            least = glm::min(least, arrived);
+            most = glm::max(most, arrived);
+        }
+        const uint32_t taken = begin + n;
+        if (begin == 0 && is_black(most) && is_in_umbra(light, hit, sampler, blockers.first(n), candidates))
+            return Rgb(0.0f);
+        if (taken >= light.pilot_count() && difference(least, most) <= agreement)
+            return sum / static_cast<float>(taken);
+    }
+    return sum / static_cast<float>(count);
+}
+
+/// True if one convex body hides all of the light: it does so if it hides the corners of a parallelogram
+/// around it, since what a convex body hides of a plane is convex. `blockers`: of some samples, all of which
+/// are hidden.
+bool ShadowTracer::is_in_umbra(const LightProgram& light, const HitPoint& hit, const AreaSampler& sampler,
+                               std::span<const uint32_t> blockers, const Candidates* candidates) {
+    if (!program_.options.skip_unneeded || light.is_directed() || light.projected_through()) return false;
+    const uint32_t body = blockers.front();
+    if (body == no_leaf || body == hit.leaf) return false;
+    if (std::ranges::any_of(blockers, [&](uint32_t b) { return b != body; })) return false;
+    if (!program_.geometry.is_convex_body(body, hit.point)) return false;
+    for (const Vec3& corner : sampler.hull()) {
+        const LightVector way = light.toward(hit.point, corner);
+        RayQuery query =
+            StreamState::query_from(hit, way.direction, shadow_reach(way.distance), blocks_light);
+        uint32_t blocker = body;
+        ++state_.counters.shadow;
+        if (!program_.geometry.occluded(query, blocker, candidates) || blocker != body) return false;
+    }
+    return true;
+}
+
 /// Finds out what arrives from the corners of a cell, as far as it is not known. Their directions are worked
 /// out together, so that roots and divisions overlap.
 void ShadowTracer::look_at_corners(Grid& grid, const std::array<GridCorner, 4>& corners) {
@@ -314,7 +393,7 @@ void ShadowTracer::look_at_corners(Grid& grid, const std::array<GridCorner, 4>& 
         if (grid.known[corner.index]) continue;
         grid.known[corner.index] = 1;
         unknown[count] = corner.index;
-        offsets[count++] = grid.sampler.offset(corner.u, corner.v);
+        offsets[count++] = grid.sampler.grid_place(corner.u, corner.v);
     }
     if (count == 0) return;
     light.toward(grid.hit.point, std::span(offsets).first(count), grid.ways);

@@ -1,4 +1,5 @@
 #pragma once
+#include "shade/area_sampler.h"
 #include "shade/stream_state.h"
 
 #include <array>
@@ -25,16 +26,26 @@ public:
 private:
     struct Grid;
     struct GridCorner;
+    struct Pattern;
     bool is_dimmed(const Light& light) const;
     const Candidates* narrowed(const LightProgram& light, const HitPoint& hit, const LightVector& to_center,
                                const Candidates* wider, Candidates& memory) const;
     Rgb along(const LightProgram& light, const HitPoint& hit, RayQuery& query, double distance, Rgb color,
               const Candidates* candidates, uint32_t& blocker);
-    Rgb filtered(const HitPoint& from, RayQuery query, Rgb color, const Candidates* candidates);
+    Rgb through_air(const LightProgram& light, const HitPoint& from, const Ray& ray, double distance,
+                    const Rgb& color);
+    Rgb filtered(const LightProgram& light, const HitPoint& from, RayQuery query, double distance, Rgb color,
+                 const Candidates* candidates);
     Rgb filter_of(const Hit& hit, const Ray& ray, std::span<const uint32_t> inside);
     Rgb media_filter(const Ray& ray, double length, std::span<const uint32_t> inside, uint64_t seed);
-    Rgb air_filter(const Ray& ray, double length, uint64_t seed);
+    bool are_hollow(std::span<const uint32_t> interiors) const;
+    Rgb air_filter(const Ray& ray, double length, std::span<const uint32_t> inside, bool ends_on_surface,
+                   uint64_t seed);
     Rgb surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction);
+    Rgb over_pattern(size_t light, const HitPoint& hit, const AreaSampler& sampler, const Rgb& color,
+                     const Candidates* candidates);
+    bool is_in_umbra(const LightProgram& light, const HitPoint& hit, const AreaSampler& sampler,
+                     std::span<const uint32_t> blockers, const Candidates* candidates);
     Rgb over_area(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color,
                   const Candidates* candidates);
     void look_at_corners(Grid& grid, const std::array<GridCorner, 4>& corners);

@@ -6,11 +6,11 @@
 namespace rb {
 
 SkyProgram::SkyProgram(const std::optional<SkySphere>& sky, const std::optional<Color>& background,
-                       const PatternSettings& settings, bool before_37)
+                       const PatternSettings& settings, bool before_37, bool alpha_output)
     : has_background_(background.has_value()), before_37_(before_37) {
     if (background) background_ = *background;
-    // Without alpha output a see-through background is black behind.
-    const float solid = has_background_ ? 1.0f - background_.transmit : 1.0f;
+    // Without alpha output a see-through background is black behind; with it mirrors show its plain colour.
+    const float solid = has_background_ && !alpha_output ? 1.0f - background_.transmit : 1.0f;
     const Color opaque{background_.red * solid, background_.green * solid, background_.blue * solid, 0, 0};
     const Color open = has_background_ ? background_ : Color{0, 0, 0, 0, 1};
     ground_ = {Ground{opaque.rgb() * opacity(opaque), passed(opaque)},

@@ -15,8 +15,9 @@ struct SkyLight {
 /// sky_sphere and background (manual 3.4.8, 3.4.1.3).
 class SkyProgram {
 public:
+    /// `alpha_output`: the picture may be see-through where a see-through background is.
     SkyProgram(const std::optional<SkySphere>& sky, const std::optional<Color>& background,
-               const PatternSettings& settings, bool before_37);
+               const PatternSettings& settings, bool before_37, bool alpha_output);
 
     /// True if there is only a background.
     bool is_plain() const { return pigments_.empty(); }

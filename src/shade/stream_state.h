@@ -1,7 +1,9 @@
 #pragma once
+#include "math/random.h"
 #include "shade/integrator.h"
 #include "shade/shading_program.h"
 
+#include <bit>
 #include <vector>
 
 namespace rb {
@@ -118,6 +120,11 @@ struct StreamState {
             if (!world.interiors[interior].hollow) return false;
         }
         return true;
+    }
+
+    /// Decides the random draws for a light at a hit; `salt` tells several uses of the same light apart.
+    static uint64_t light_seed(const PathRay& ray, const HitPoint& hit, size_t light, uint64_t salt) {
+        return mixed(mixed(ray.seed, 16 * light + salt), std::bit_cast<uint64_t>(hit.t));
     }
 
     const PathRay& ray_of(const HitPoint& hit) const { return rays[hit.ray]; }

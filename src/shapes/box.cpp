@@ -17,6 +17,7 @@ public:
 
     std::string_view keyword() const override { return "box"; }
     Curvature curvature() const override { return Curvature::convex; }
+    bool is_convex_body() const override { return true; }
     Bounds bounds() const override { return {lo_, hi_}; }
     bool inside(const Vec3& p) const override { return Bounds{lo_, hi_}.contains(p); }
 

@@ -19,6 +19,11 @@ public:
 
     std::string_view keyword() const override { return keyword_; }
     Curvature curvature() const override { return Curvature::convex; }
+    bool is_convex_body() const override {
+        const double r0 = profile_.offset + profile_.slope * profile_.z0;
+        const double r1 = profile_.offset + profile_.slope * profile_.z1;
+        return !open_ && r0 * r1 >= 0.0;
+    }
     Bounds bounds() const override;
     Bounds solid_bounds() const override;
     Bounds language_extent() const override;

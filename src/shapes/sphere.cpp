@@ -16,6 +16,7 @@ public:
 
     std::string_view keyword() const override { return "sphere"; }
     Curvature curvature() const override { return Curvature::convex; }
+    bool is_convex_body() const override { return true; }
     Bounds bounds() const override { return {center_ - radius_, center_ + radius_}; }
 
     bool fills_ball() const override { return true; }

@@ -1,4 +1,5 @@
 // The probes of probes.txt: scene text in, linear light out.
+#include "app/picture.h"
 #include "compile/world.h"
 #include "language/load.h"
 #include "render/render.h"
@@ -14,6 +15,7 @@ namespace {
 struct Pixel {
     int x, y;
     double r, g, b, tolerance;
+    std::optional<double> alpha;  ///< the colour is straight, as in a file
 };
 
 struct Probe {
@@ -56,6 +58,11 @@ std::vector<Probe> read_probes() {
             words >> q.x >> q.y >> q.r >> q.g >> q.b >> q.tolerance;
             p.pixels.push_back(q);
         }
+        if (key == "straight") {
+            Pixel q{};
+            words >> q.x >> q.y >> q.r >> q.g >> q.b >> q.alpha.emplace() >> q.tolerance;
+            p.pixels.push_back(q);
+        }
     }
     return probes;
 }
@@ -73,6 +80,18 @@ AntialiasOptions antialias_of(const std::string& options) {
         if (word == "-J") out.jitter = 0;
     }
     return out;
+}
+
+/// What a picture file with alpha and linear colours holds.
+std::vector<float> straight_row(const Film& film, int y) {
+    Settings settings;
+    settings.alpha = true;
+    settings.bits_per_color = 16;
+    settings.file_gamma = 1.0;
+    const PixelRows rows = picture_of(film, GammaCurve{1.0}, settings);
+    std::vector<float> row(static_cast<size_t>(4 * film.width));
+    rows.fill(y, row);
+    return row;
 }
 
 class Probes : public testing::TestWithParam<Probe> {};
@@ -102,10 +121,17 @@ TEST_P(Probes, MatchTheMeasuredValues) {
     options.height = p.height;
     options.region = {0, 0, p.width, p.height};
     options.antialias = antialias_of(p.options);
+    options.shading.alpha_output = p.options.find("+UA") != std::string::npos;
     const std::atomic<bool> stop{false};
     const RenderResult result = render(world, options, stop, nullptr);
     for (const Pixel& q : p.pixels) {
-        const Rgb got = result.film.at(q.x, q.y).rgb;
+        Rgb got = result.film.at(q.x, q.y).rgb;
+        if (q.alpha) {
+            const std::vector<float> row = straight_row(result.film, q.y);
+            const float* value = row.data() + static_cast<ptrdiff_t>(4 * q.x);
+            got = {value[0], value[1], value[2]};
+            EXPECT_NEAR(value[3], *q.alpha, q.tolerance) << q.x << ',' << q.y;
+        }
         EXPECT_NEAR(got.x, q.r, q.tolerance) << q.x << ',' << q.y;
         EXPECT_NEAR(got.y, q.g, q.tolerance) << q.x << ',' << q.y;
         EXPECT_NEAR(got.z, q.b, q.tolerance) << q.x << ',' << q.y;

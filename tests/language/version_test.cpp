@@ -57,13 +57,13 @@ TEST(VersionTable, FirstAssumedGammaStays) {
 }
 
 TEST(VersionTable, BackgroundTransmit) {
-    const auto red = [](const std::string& header) {
+    const auto transmit = [](const std::string& header) {
         return read_scene(header + " background { rgbt <1, 1, 1, .75> } sphere { 0, 1 }")
-            .scene.background->red;
+            .scene.background->transmit;
     };
-    EXPECT_FLOAT_EQ(red("#version 3.7; global_settings { assumed_gamma 1 }"), 0.25f);
-    EXPECT_FLOAT_EQ(red("#version 3.6; global_settings { assumed_gamma 1 }"), 1.0f);
-    EXPECT_FLOAT_EQ(red(""), 1.0f);
+    EXPECT_FLOAT_EQ(transmit("#version 3.7; global_settings { assumed_gamma 1 }"), 0.75f);
+    EXPECT_FLOAT_EQ(transmit("#version 3.6; global_settings { assumed_gamma 1 }"), 0.0f);
+    EXPECT_FLOAT_EQ(transmit(""), 0.0f);
 }
 
 TEST(VersionTable, NoiseGenerator) {

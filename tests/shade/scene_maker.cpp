@@ -31,13 +31,13 @@ void SceneMaker::light(const Vec3& location, const Rgb& color, const std::functi
     scene.objects.push_back(object);
 }
 
-std::vector<Radiance> SceneMaker::look_all(std::span<const CameraRay> rays) const {
+std::vector<Radiance> SceneMaker::look_all(std::span<const CameraRay> rays, RayCounters* counters) const {
     Diagnostics diagnostics;
     const World world = compile(scene, {}, diagnostics);
     const Integrator integrator(world, options);
     std::vector<Radiance> out(rays.size());
-    RayCounters counters;
-    integrator.trace(rays, out, counters);
+    RayCounters ignored;
+    integrator.trace(rays, out, counters ? *counters : ignored);
     return out;
 }
 

@@ -21,7 +21,7 @@ struct SceneMaker {
     Radiance look(const Vec3& origin, const Vec3& direction) const;
     /// Along z through (x, y) from z = -5, as the measured scenes do.
     Radiance look_at(double x = 0.0005, double y = 0.0005, double from_z = -5) const;
-    std::vector<Radiance> look_all(std::span<const CameraRay> rays) const;
+    std::vector<Radiance> look_all(std::span<const CameraRay> rays, RayCounters* counters = nullptr) const;
 
 private:
     std::vector<std::shared_ptr<Object>> objects_;

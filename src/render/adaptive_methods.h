@@ -1,0 +1,21 @@
+#pragma once
+#include "render/antialias.h"
+
+namespace rb {
+
+/// Method 3 of POV-Ray 3.8 (shading spec 20.2): a pixel gets samples until those of it and the four pixels
+/// beside it say, with the options' confidence, that the mean is known within the threshold; 4^depth at the
+/// most. Samples are spread evenly instead of at random, and pixels of other blocks are not looked at, as in
+/// the reference.
+void render_by_confidence(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
+                          const SampleDistance& distance, std::span<Radiance> out);
+
+/// Each pixel gets samples until its standard error, gamma-encoded, is estimated to be `options.error` at the
+/// most, or it has `options.max_samples`. The number doubles from step to step. The error is estimated from
+/// the means of the four quarters of the samples, each of which covers the pixel evenly; since whole and
+/// quarters together cover it more evenly still, the estimate is rather too large. Lest a pixel stops by
+/// chance, it has at least a quarter of the samples of the pixels around it in its block.
+void render_by_error(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
+                     const SampleDistance& distance, std::span<Radiance> out);
+
+}  // namespace rb

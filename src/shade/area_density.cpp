@@ -1,0 +1,42 @@
+#include "shade/area_density.h"
+
+#include <algorithm>
+
+namespace rb {
+
+namespace {
+
+/// The reference averages the corners of cells and quarters them to the end: along one axis a cell gives half
+/// of its weight to either half, and halves of odd cells share their middle.
+void spread(size_t first, size_t last, double weight, std::vector<double>& weights) {
+    if (last - first <= 1) {
+        weights[first] += 0.5 * weight;
+        weights[last] += 0.5 * weight;
+        return;
+    }
+    spread(first, (first + last) / 2, 0.5 * weight, weights);
+    spread((first + last + 1) / 2, last, 0.5 * weight, weights);
+}
+
+}  // namespace
+
+AxisDensity::AxisDensity(int size) {
+    std::vector<double> weights(static_cast<size_t>(std::max(size, 1)));
+    spread(0, weights.size() - 1, 1.0, weights);
+    before_.reserve(weights.size() + 1);
+    double sum = 0;
+    for (const double weight : weights) {
+        before_.push_back(sum);
+        sum += weight;
+    }
+    before_.push_back(1.0);
+}
+
+double AxisDensity::place(double u) const {
+    const auto next = std::upper_bound(before_.begin() + 1, before_.end() - 1, u);
+    const auto index = static_cast<size_t>(next - before_.begin()) - 1;
+    const double share = (u - before_[index]) / (before_[index + 1] - before_[index]);
+    return static_cast<double>(index) + share - 0.5;
+}
+
+}  // namespace rb
