@@ -339,6 +339,8 @@ Rgb ShadowTracer::over_pattern(size_t index, const HitPoint& hit, const AreaSamp
     Rgb sum(0.0f);
     Rgb least(std::numeric_limits<float>::infinity());
     Rgb most = -least;
+    // Full light is exactly full light.
+    const auto mean = [&](uint32_t n) { return least == most ? least : sum / static_cast<float>(n); };
     for (uint32_t begin = 0; begin < count; begin += at_once) {
         const uint32_t n = std::min(at_once, count - begin);
         for (uint32_t k = 0; k < n; ++k) offsets[k] = sampler.pattern_place(begin + k);
@@ -354,10 +356,9 @@ Rgb ShadowTracer::over_pattern(size_t index, const HitPoint& hit, const AreaSamp
         const uint32_t taken = begin + n;
         if (begin == 0 && is_black(most) && is_in_umbra(light, hit, sampler, blockers.first(n), candidates))
             return Rgb(0.0f);
-        if (taken >= light.pilot_count() && difference(least, most) <= agreement)
-            return sum / static_cast<float>(taken);
+        if (taken >= light.pilot_count() && difference(least, most) <= agreement) return mean(taken);
     }
-    return sum / static_cast<float>(count);
+    return mean(count);
 }
 
 /// True if one convex body hides all of the light: it does so if it hides the corners of a parallelogram

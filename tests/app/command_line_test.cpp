@@ -138,6 +138,30 @@ TEST(CommandLine, LongOptions) {
     EXPECT_THROW(parse({"a.pov", "--bogus"}), UsageError);
 }
 
+TEST(CommandLine, Sampling) {
+    const Settings plain = parse({"a.pov"});
+    EXPECT_EQ(plain.seed, 0u);
+    EXPECT_EQ(plain.area_lights, AreaLightMode::as_written);
+    EXPECT_FALSE(plain.antialias);
+    const Settings s =
+        parse({"a.pov", "--error", "0.25%", "--max-samples", "64", "--seed", "7", "--area-light", "true"});
+    EXPECT_TRUE(s.antialias);
+    EXPECT_EQ(s.antialias_options.method, method_by_error);
+    EXPECT_DOUBLE_EQ(s.antialias_options.error, 0.0025);
+    EXPECT_EQ(s.antialias_options.max_samples, 64u);
+    EXPECT_EQ(s.seed, 7u);
+    EXPECT_EQ(s.area_lights, AreaLightMode::true_area);
+    EXPECT_DOUBLE_EQ(parse({"a.pov", "--error", "0.01"}).antialias_options.error, 0.01);
+    EXPECT_EQ(parse({"a.pov", "+AM3", "+AC0.95"}).antialias_options.method, 3);
+    EXPECT_DOUBLE_EQ(parse({"a.pov", "+AM3", "+AC0.95"}).antialias_options.confidence, 0.95);
+    for (const char* bad : {"", "%", "x", "0", "-1%", "1%%", "nan", "inf"}) {
+        EXPECT_THROW(parse({"a.pov", std::string("--error=") + bad}), UsageError) << bad;
+    }
+    EXPECT_THROW(parse({"a.pov", "--max-samples", "0"}), UsageError);
+    EXPECT_THROW(parse({"a.pov", "--area-light", "round"}), UsageError);
+    EXPECT_THROW(parse({"a.pov", "Antialias_Confidence=1"}), UsageError);
+}
+
 TEST(Ini, SectionsCommentsAndSwitches) {
     const auto path = std::filesystem::path(testing::TempDir()) / "settings.ini";
     std::ofstream(path)
