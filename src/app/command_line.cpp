@@ -163,6 +163,10 @@ private:
                "grid, smooth or true: area lights as POV-Ray's grid of points, as the grid's density, or "
                "as even areas (default: the grid, or its density with jitter)")
             ->transform(CLI::CheckedTransformer(areas));
+        const std::map<std::string, GiMode> lights{
+            {"auto", GiMode::automatic}, {"off", GiMode::off}, {"brute", GiMode::brute}};
+        app.add_option("--gi", settings.gi, "auto, off or brute: how radiosity{} is carried out")
+            ->transform(CLI::CheckedTransformer(lights));
         const std::map<std::string, DumpStage> stages{
             {"tokens", DumpStage::tokens}, {"blocks", DumpStage::blocks}, {"scene", DumpStage::scene}};
         app.add_option("--dump", settings.dump, "print tokens, blocks or scene instead of rendering")

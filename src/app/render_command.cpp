@@ -60,6 +60,7 @@ RenderOptions render_options(const Settings& settings) {
     options.shading.skip_unneeded = settings.skip_unneeded;
     options.shading.alpha_output = settings.alpha;
     options.shading.area_lights = settings.area_lights;
+    options.gi = settings.gi;
     return options;
 }
 

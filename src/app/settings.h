@@ -94,6 +94,7 @@ struct Settings {
     double tessellation_error = 0.05;
     uint64_t seed = 0;
     AreaLightMode area_lights = AreaLightMode::as_written;
+    GiMode gi = GiMode::automatic;
     bool skip_unneeded = true;
     bool brute_force = false;
     InstanceMode instances = InstanceMode::automatic;

@@ -44,30 +44,43 @@ std::string statistics_text(const Statistics& statistics, const World& world, co
         rays.shadow, statistics.parse_seconds, statistics.compile_seconds, statistics.render_seconds);
 }
 
+namespace {
+
+nlohmann::ordered_json to_json(const RadiosityReport& report) {
+    return {{"records", report.records},
+            {"gathers", report.gathers},
+            {"gaps", report.gaps},
+            {"rays", report.rays},
+            {"shadow_rays", report.shadow_rays}};
+}
+
+}  // namespace
+
 void write_statistics(const Statistics& statistics, const World& world, const RenderResult& result,
                       const Settings& settings) {
-    const nlohmann::ordered_json json{{"scene", settings.input_file},
-                                      {"width", settings.width},
-                                      {"height", settings.height},
-                                      {"seconds",
-                                       {{"parse", statistics.parse_seconds},
-                                        {"parse_cpu", statistics.parse_cpu_seconds},
-                                        {"compile", statistics.compile_seconds},
-                                        {"render", statistics.render_seconds},
-                                        {"write", statistics.write_seconds},
-                                        {"cpu", cpu_seconds()}}},
-                                      {"world",
-                                       {{"leaves", world.geometry->leaves().size()},
-                                        {"surfaces", world.surfaces.size()},
-                                        {"lights", world.lights.size()}}},
-                                      {"rays",
-                                       {{"camera", result.counters.camera},
-                                        {"reflected", result.counters.reflected},
-                                        {"refracted", result.counters.refracted},
-                                        {"shadow", result.counters.shadow}}},
-                                      {"parse_peak_memory_kib", statistics.parse_peak_memory},
-                                      {"peak_memory_kib", peak_memory()},
-                                      {"complete", result.complete}};
+    nlohmann::ordered_json json{{"scene", settings.input_file},
+                                {"width", settings.width},
+                                {"height", settings.height},
+                                {"seconds",
+                                 {{"parse", statistics.parse_seconds},
+                                  {"parse_cpu", statistics.parse_cpu_seconds},
+                                  {"compile", statistics.compile_seconds},
+                                  {"render", statistics.render_seconds},
+                                  {"write", statistics.write_seconds},
+                                  {"cpu", cpu_seconds()}}},
+                                {"world",
+                                 {{"leaves", world.geometry->leaves().size()},
+                                  {"surfaces", world.surfaces.size()},
+                                  {"lights", world.lights.size()}}},
+                                {"rays",
+                                 {{"camera", result.counters.camera},
+                                  {"reflected", result.counters.reflected},
+                                  {"refracted", result.counters.refracted},
+                                  {"shadow", result.counters.shadow}}},
+                                {"parse_peak_memory_kib", statistics.parse_peak_memory},
+                                {"peak_memory_kib", peak_memory()},
+                                {"complete", result.complete}};
+    if (result.radiosity) json["radiosity"] = to_json(*result.radiosity);
     const std::string text = json.dump(2) + "\n";
     if (*settings.stats_file == "-") {
         std::fwrite(text.data(), 1, text.size(), stderr);

@@ -40,6 +40,8 @@ void Flattener::add_leaf(const Object& object, const Inherited& own, uint32_t no
     if (!own.no_image) leaf.mask |= seen_by_image;
     if (!own.no_reflection) leaf.mask |= seen_by_reflection;
     if (!own.no_radiosity) leaf.mask |= seen_by_gather;
+    if (!own.no_radiosity && !own.no_reflection) leaf.mask |= seen_by_gather_mirrored;
+    if (!own.no_radiosity && !own.no_image) leaf.mask |= seen_by_gather_refracted;
     if (!own.no_shadow) leaf.mask |= opaque ? blocks_light : filters_light;
     if (own.cutaway && !own.texture && textures.empty()) {
         draft_->cuts.push_back(static_cast<uint32_t>(flat_.leaves.size()));

@@ -11,12 +11,14 @@ namespace rb {
 
 /// Which rays a surface takes part in; a query names the bits it wants.
 enum SurfaceMask : uint8_t {
-    seen_by_image = 1,       ///< camera rays and their refracted continuations (not no_image)
-    seen_by_reflection = 2,  ///< rays that have been reflected (not no_reflection)
-    blocks_light = 4,        ///< opaque for shadow rays (not no_shadow)
-    filters_light = 8,       ///< lets some light through: shadow rays need its texture
-    seen_by_gather = 16,     ///< radiosity rays (not no_radiosity)
-    seen_by_trace = 32,      ///< the language's trace(): every surface
+    seen_by_image = 1,               ///< camera rays and their refracted continuations (not no_image)
+    seen_by_reflection = 2,          ///< rays that have been reflected (not no_reflection)
+    blocks_light = 4,                ///< opaque for shadow rays (not no_shadow)
+    filters_light = 8,               ///< lets some light through: shadow rays need its texture
+    seen_by_gather = 16,             ///< radiosity rays (not no_radiosity)
+    seen_by_trace = 32,              ///< the language's trace(): every surface
+    seen_by_gather_mirrored = 64,    ///< radiosity rays that have been reflected (no_reflection, too)
+    seen_by_gather_refracted = 128,  ///< radiosity rays that have been refracted only (no_image, too)
 };
 
 /// Which lights shine on a surface: those of one light_group, the global ones, or both.

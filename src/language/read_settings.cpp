@@ -66,25 +66,26 @@ double take_radiosity_number(BlockReader& in, const RadiosityNumber& number) {
     return value;
 }
 
-void take_radiosity_count(BlockReader& in) {
+int take_radiosity_count(BlockReader& in) {
     const SourceRange at = in.where();
     const int count = in.integer();
     if (count < 1) in.fail_at(at, "Radiosity count must be a positive number.");
-    if (!in.at_number()) return;
+    if (!in.at_number()) return count;
     const SourceRange pool = in.where();
     if (in.integer() < count) {
         in.fail_at(pool, "Radiosity count can not be more than direction pool size (count 2nd value).");
     }
+    return count;
 }
 
-void take_nearest_count(BlockReader& in) {
+int take_nearest_count(BlockReader& in) {
     const SourceRange at = in.where();
     const int count = in.integer();
     if (count < 1 || count > 20) in.fail_at(at, "Radiosity nearest count must be a value from 1 to 20.");
-    if (!in.at_number()) return;
+    if (!in.at_number()) return count;
     const SourceRange second = in.where();
     const int adaptive = in.integer();
-    if (adaptive >= 0 && adaptive < count) return;
+    if (adaptive >= 0 && adaptive < count) return count;
     in.fail_at(second,
                "Radiosity nearest count for adaptive pretrace must be non-negative and smaller than general "
                "nearest count.");
@@ -112,8 +113,35 @@ void check_together(const BlockReader& in, const std::map<std::string_view, doub
     }
 }
 
+/// Takes over what was given. A reuse that was left out keeps its distance from the other one.
+void put_together(const std::map<std::string_view, double>& given, RadiositySettings& settings) {
+    const auto put = [&given](std::string_view word, auto& value) {
+        const auto at = given.find(word);
+        if (at != given.end()) value = static_cast<std::decay_t<decltype(value)>>(at->second);
+    };
+    put("adc_bailout", settings.adc_bailout);
+    put("always_sample", settings.always_sample);
+    put("brightness", settings.brightness);
+    put("error_bound", settings.error_bound);
+    put("gray_threshold", settings.gray_threshold);
+    put("low_error_factor", settings.low_error_factor);
+    put("max_sample", settings.max_sample);
+    put("maximum_reuse", settings.maximum_reuse);
+    put("minimum_reuse", settings.minimum_reuse);
+    put("normal", settings.normal);
+    put("media", settings.media);
+    put("subsurface", settings.subsurface);
+    put("pretrace_start", settings.pretrace_start);
+    put("pretrace_end", settings.pretrace_end);
+    put("recursion_limit", settings.recursion_limit);
+    if (settings.minimum_reuse <= settings.maximum_reuse / 2) return;
+    if (!given.contains("minimum_reuse")) settings.minimum_reuse = settings.maximum_reuse / 2;
+    if (!given.contains("maximum_reuse")) settings.maximum_reuse = settings.minimum_reuse * 2;
+}
+
 void read_radiosity(Session& session, const Block& block, const ReadContext& context) {
     BlockReader in(block, context);
+    RadiositySettings settings;
     std::map<std::string_view, double> given;
     while (!in.at_end()) {
         const std::string_view word = in.at_word() ? in.peek_word() : std::string_view{};
@@ -121,10 +149,12 @@ void read_radiosity(Session& session, const Block& block, const ReadContext& con
         if (number != radiosity_numbers.end()) {
             given[number->word] = take_radiosity_number(in, *number);
         } else if (in.take_word("count")) {
-            take_radiosity_count(in);
+            settings.count = take_radiosity_count(in);
         } else if (in.take_word("nearest_count")) {
-            take_nearest_count(in);
-        } else if (in.take_word("load_file") || in.take_word("save_file")) {
+            settings.nearest_count = take_nearest_count(in);
+        } else if (in.at_word("load_file") || in.at_word("save_file")) {
+            session.warn(in.where(), "load_file and save_file of radiosity are ignored.");
+            in.skip_item();
             in.text();
         } else {
             break;
@@ -132,8 +162,8 @@ void read_radiosity(Session& session, const Block& block, const ReadContext& con
     }
     in.finish();
     check_together(in, given);
-    session.scene.settings.wants_radiosity = true;
-    context.diagnostics->unsupported(block.where, "radiosity", "surfaces keep their ambient light");
+    put_together(given, settings);
+    session.scene.settings.radiosity = settings;
 }
 
 void take_photon_counts(BlockReader& in) {

@@ -37,7 +37,7 @@ void Sampler::sample(std::span<const Vec2> positions, std::span<Radiance> out) {
     const auto batch = memory.take<CameraRay>(positions.size());
     rays_.at(positions, batch);
     for (size_t i = 0; i < positions.size(); ++i) batch[i].seed = seed_at(positions[i]);
-    integrator_.trace(batch, out, counters_);
+    integrator_.trace(batch, out, counters_, indirect_);
 }
 
 /// The mean over those rays of a position that exist; as many positions at once as fill a batch.
@@ -57,7 +57,7 @@ void Sampler::sample_several(std::span<const Vec2> positions, std::span<Radiance
             batch[i].exists = rays_.at(p.x, p.y, static_cast<int>(k), batch[i].ray);
             batch[i].seed = mixed(seed_at(p), k);
         }
-        integrator_.trace(batch.first(count), lights.first(count), counters_);
+        integrator_.trace(batch.first(count), lights.first(count), counters_, indirect_);
         for (size_t i = 0; i < places.size(); ++i) {
             out[begin + i] = mean(batch.subspan(i * several, several), lights.subspan(i * several, several));
         }
@@ -82,7 +82,7 @@ void Sampler::sample_through_lens(std::span<const Vec2> positions, std::span<Rad
             }
         }
         lights.resize(batch.size());
-        integrator_.trace(batch, lights, counters_);
+        integrator_.trace(batch, lights, counters_, indirect_);
         size_t next = 0;
         std::erase_if(open, [&](size_t i) {
             const int last = sums[i].count + lens_.next_chunk(sums[i].count);

@@ -39,10 +39,15 @@ struct PixelBlock {
 /// Traces samples in batches at continuous picture positions.
 class Sampler {
 public:
-    /// `seed`: another one changes all random draws.
+    /// `seed`: another one changes all random draws. `indirect`: as Integrator::trace() takes it.
     Sampler(const Integrator& integrator, const CameraRays& rays, const Lens& lens, uint64_t seed,
-            RayCounters& counters)
-        : integrator_(integrator), rays_(rays), lens_(lens), seed_(seed), counters_(counters) {}
+            RayCounters& counters, const IndirectLight* indirect = nullptr)
+        : integrator_(integrator),
+          rays_(rays),
+          lens_(lens),
+          seed_(seed),
+          counters_(counters),
+          indirect_(indirect) {}
 
     /// What decides the random draws of a sample at a picture position.
     uint64_t seed_at(const Vec2& position) const {
@@ -60,6 +65,7 @@ private:
     const Lens& lens_;
     uint64_t seed_;
     RayCounters& counters_;
+    const IndirectLight* indirect_;
 };
 
 class BlockBorders;

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/scratch.h"
 #include "render/block_borders.h"
+#include "render/pretrace.h"
 
 #include <mutex>
 #include <optional>
@@ -21,13 +22,6 @@ std::vector<PixelBlock> blocks_of(const PixelBlock& region, int size) {
     return blocks;
 }
 
-void add(RayCounters& sum, const RayCounters& part) {
-    sum.camera += part.camera;
-    sum.reflected += part.reflected;
-    sum.refracted += part.refracted;
-    sum.shadow += part.shadow;
-}
-
 }  // namespace
 
 RenderResult render(const World& world, const RenderOptions& options, const std::atomic<bool>& stop,
@@ -40,10 +34,20 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
     result.film.height = options.height;
     result.film.pixels.resize(static_cast<size_t>(options.width) * static_cast<size_t>(options.height));
 
-    const Integrator integrator(world, options.shading);
+    ShadingOptions shading = options.shading;
+    shading.indirect_light = options.gi != GiMode::off;
+    const Integrator integrator(world, shading);
     const PatternSettings patterns{world.settings.noise_generator, world.settings.number_of_waves};
     const CameraRays rays(world.camera, patterns, options.width, options.height);
     const Lens lens(world.camera, patterns);
+    std::optional<Radiosity> radiosity;
+    const IndirectLight* indirect = nullptr;
+    if (ShadingProgram::has_indirect_light(world, shading)) {
+        radiosity.emplace(world, shading, options.gi);
+        radiosity->prepare(survey_of(integrator, rays, options.width, options.height, options.threads),
+                           std::max(options.width, options.height), options.threads);
+        indirect = &radiosity->light();
+    }
     const SampleDistance distance(world.settings.assumed_gamma, options.antialias.gamma);
     const std::vector<PixelBlock> blocks = blocks_of(region, options.block_size);
 
@@ -68,7 +72,7 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
         RayCounters counters;
         Scratch::Scope memory(thread_scratch());
         const auto pixels = memory.take<Radiance>(count);
-        Sampler sampler(integrator, rays, lens, options.seed, counters);
+        Sampler sampler(integrator, rays, lens, options.seed, counters, indirect);
         render_block(sampler, block, options.antialias, distance, borders ? &*borders : nullptr, pixels);
 
         const std::lock_guard lock(mutex);
@@ -76,12 +80,13 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
             const auto row = pixels.begin() + static_cast<std::ptrdiff_t>(y - block.y0) * block.width();
             std::copy_n(row, block.width(), &result.film.at(block.x0, y));
         }
-        add(result.counters, counters);
+        result.counters += counters;
         if (log) log->finished(block, result.film);
         done += count;
         if (progress) progress(done, total);
     });
     result.complete = done == total;
+    if (radiosity) result.radiosity = radiosity->report();
     return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "base/huge_pages.h"
+#include "radiosity/radiosity.h"
 #include "render/antialias.h"
 
 #include <atomic>
@@ -32,11 +33,13 @@ struct RenderOptions {
     AntialiasOptions antialias;
     ShadingOptions shading;
     uint64_t seed = 0;  ///< another one changes all random draws
+    GiMode gi = GiMode::automatic;
 };
 
 struct RenderResult {
     Film film;
     RayCounters counters;
+    std::optional<RadiosityReport> radiosity;
     bool complete = true;  ///< false if `stop` ended it early; finished blocks are in the film
 };
 

@@ -316,6 +316,28 @@ private:
     }
 };
 
+void dump_radiosity(Dumper& d, const RadiositySettings& s) {
+    const RadiositySettings usual;
+    d.line(1, "radiosity");
+    d.number(2, "adc_bailout", static_cast<double>(s.adc_bailout), static_cast<double>(usual.adc_bailout));
+    d.flag(2, "always_sample", s.always_sample);
+    d.number(2, "brightness", static_cast<double>(s.brightness), 1.0);
+    d.number(2, "count", s.count, usual.count);
+    d.number(2, "error_bound", s.error_bound, usual.error_bound);
+    d.number(2, "gray_threshold", static_cast<double>(s.gray_threshold), 0.0);
+    d.number(2, "low_error_factor", s.low_error_factor, usual.low_error_factor);
+    d.number(2, "max_sample", static_cast<double>(s.max_sample), static_cast<double>(usual.max_sample));
+    d.number(2, "maximum_reuse", s.maximum_reuse, usual.maximum_reuse);
+    d.number(2, "minimum_reuse", s.minimum_reuse, usual.minimum_reuse);
+    d.number(2, "nearest_count", s.nearest_count, usual.nearest_count);
+    d.flag(2, "normal", s.normal);
+    d.flag(2, "media", s.media);
+    d.flag(2, "subsurface", s.subsurface);
+    d.number(2, "pretrace_start", s.pretrace_start, usual.pretrace_start);
+    d.number(2, "pretrace_end", s.pretrace_end, usual.pretrace_end);
+    d.number(2, "recursion_limit", s.recursion_limit, usual.recursion_limit);
+}
+
 void dump_settings(Dumper& d, const Scene& scene) {
     const GlobalSettings& s = scene.settings;
     d.line(0, fmt::format("version {} effective {}", scene.language_version, scene.effective_version));
@@ -329,7 +351,7 @@ void dump_settings(Dumper& d, const Scene& scene) {
     d.number(1, "max_trace_level", s.max_trace_level, 5);
     d.number(1, "noise_generator", s.noise_generator, 2);
     d.number(1, "number_of_waves", s.number_of_waves, 10);
-    d.flag(1, "radiosity", s.wants_radiosity);
+    if (s.radiosity) dump_radiosity(d, *s.radiosity);
     d.flag(1, "photons", s.wants_photons);
     d.flag(1, "subsurface", s.wants_subsurface);
 }

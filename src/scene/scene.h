@@ -3,6 +3,7 @@
 #include "scene/camera.h"
 #include "scene/curve.h"
 #include "scene/object.h"
+#include "scene/radiosity.h"
 
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ struct GlobalSettings {
     int noise_generator = 2;
     int number_of_waves = 10;
     double mm_per_unit = 10;
-    bool wants_radiosity = false;
+    std::optional<RadiositySettings> radiosity;
     bool wants_photons = false;
     bool wants_subsurface = false;
 };

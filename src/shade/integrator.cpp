@@ -23,16 +23,14 @@ Integrator::Integrator(const World& world, const ShadingOptions& options)
 
 Integrator::~Integrator() = default;
 
-void Integrator::trace(std::span<const CameraRay> rays, std::span<Radiance> out,
-                       RayCounters& counters) const {
+void Integrator::trace(std::span<const CameraRay> rays, std::span<Radiance> out, RayCounters& counters,
+                       const IndirectLight* indirect) const {
     thread_local StreamState state;
+    state.indirect = indirect;
     for (size_t begin = 0; begin < rays.size(); begin += stream_size) {
         const size_t count = std::min(stream_size, rays.size() - begin);
         RayStream(program_->shading, state).trace(rays.subspan(begin, count), out.subspan(begin, count));
-        counters.camera += state.counters.camera;
-        counters.reflected += state.counters.reflected;
-        counters.refracted += state.counters.refracted;
-        counters.shadow += state.counters.shadow;
+        counters += state.counters;
     }
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 #include "compile/geometry.h"
 #include "shade/area_density.h"
+#include "shade/indirect_light.h"
 
 #include <memory>
-#include <span>
 
 namespace rb {
 
@@ -29,6 +29,7 @@ struct ShadingOptions {
     int quality = 9;            ///< +Q, 0..9
     bool alpha_output = false;  ///< +UA
     AreaLightMode area_lights = AreaLightMode::as_written;
+    bool indirect_light = true;  ///< the scene's radiosity{} is in force
 };
 
 struct RayCounters {
@@ -36,6 +37,14 @@ struct RayCounters {
     uint64_t reflected = 0;
     uint64_t refracted = 0;
     uint64_t shadow = 0;
+
+    RayCounters& operator+=(const RayCounters& other) {
+        camera += other.camera;
+        reflected += other.reflected;
+        refracted += other.refracted;
+        shadow += other.shadow;
+        return *this;
+    }
 };
 
 /// Follows batches of camera rays through a world: Whitted-style, without recursion. The result for one ray
@@ -45,8 +54,10 @@ public:
     Integrator(const World& world, const ShadingOptions& options);
     ~Integrator();
 
-    /// `out[i]` becomes what `rays[i]` sees. Safe to call from many threads at once.
-    void trace(std::span<const CameraRay> rays, std::span<Radiance> out, RayCounters& counters) const;
+    /// `out[i]` becomes what `rays[i]` sees. Safe to call from many threads at once. `indirect`: asked for
+    /// the indirect light of surfaces; null where there is none.
+    void trace(std::span<const CameraRay> rays, std::span<Radiance> out, RayCounters& counters,
+               const IndirectLight* indirect = nullptr) const;
 
 private:
     struct Program;

@@ -17,27 +17,75 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 constexpr uint32_t bundle_size = 64;
 
-uint8_t mask_of(const PathRay& ray) { return ray.reflected ? seen_by_reflection : seen_by_image; }
-
 }  // namespace
 
 void RayStream::trace(std::span<const CameraRay> rays, std::span<Radiance> out) {
     start(rays);
     while (!state_.rays.empty()) run_wave();
-    finish(rays, out);
+    add_powers();
+    for (size_t i = 0; i < rays.size(); ++i) {
+        out[i] = rays[i].exists ? Radiance{state_.slots[i].rgb, state_.slots[i].transmit}
+                                : Radiance{Rgb(0.0f), 1.0f};
+    }
 }
 
-void RayStream::start(std::span<const CameraRay> rays) {
+void RayStream::gather(std::span<const GatherRay> rays, int depth, std::span<GatheredLight> out) {
+    start(rays, depth);
+    run_wave();
+    note_distances(out);
+    while (!state_.rays.empty()) run_wave();
+    add_powers();
+    for (size_t i = 0; i < rays.size(); ++i) out[i].rgb = state_.slots[i].rgb;
+}
+
+void RayStream::note_distances(std::span<GatheredLight> out) const {
+    for (GatheredLight& light : out) light.distance = unlimited;
+    // Of a ray and its hits only these remain when the wave is over.
+    for (const HitPoint& hit : state_.hits) out[hit.ray].distance = hit.t;
+}
+
+void RayStream::clear(size_t slots) {
     state_.rays.clear();
     state_.next.clear();
     state_.power_slots.clear();
     state_.interiors.clear();
-    state_.slots.assign(rays.size(), LightSlot{});
+    state_.slots.assign(slots, LightSlot{});
     state_.blockers.assign(program_.sample_count, no_leaf);
     state_.counters = {};
+}
+
+void RayStream::start(std::span<const GatherRay> rays, int depth) {
+    clear(rays.size());
+    const GlobalSettings& settings = program_.world.settings;
+    const int level = 3 * depth / 2;
+    state_.depth = depth;
+    state_.reach = unlimited;
+    state_.level_limit = std::max(settings.max_trace_level, level + 1);
+    const float brightness = settings.radiosity ? settings.radiosity->brightness : 1.0f;
+    const float importance =
+        std::max(program_.adc_bailout, std::pow(0.5f * brightness, static_cast<float>(depth)));
+    state_.rays.reserve(rays.size());
+    for (size_t i = 0; i < rays.size(); ++i) {
+        PathRay& ray = state_.rays.emplace_back();
+        ray.ray = rays[i].ray;
+        ray.origin_leaf = rays[i].leaf;
+        ray.origin_part = rays[i].part;
+        ray.origin_member = rays[i].member;
+        ray.origin_error = rays[i].error;
+        ray.slot = static_cast<uint32_t>(i);
+        ray.seed = rays[i].seed;
+        ray.level = static_cast<uint16_t>(level);
+        ray.importance = importance;
+    }
+}
+
+void RayStream::start(std::span<const CameraRay> rays) {
+    clear(rays.size());
+    state_.depth = 0;
+    state_.level_limit = program_.world.settings.max_trace_level;
     const MeshCamera* mesh = program_.world.camera.mesh.get();
     state_.reach = mesh && mesh->max_distance > 0.0 ? std::nextafter(mesh->max_distance, 0.0) : unlimited;
-    if (!(1.0f >= program_.world.settings.adc_bailout)) return;
+    if (!(1.0f >= program_.adc_bailout)) return;
 
     Vec3 origin = program_.world.camera.location;
     InteriorList inside = state_.interiors.add(program_.camera_interiors);
@@ -100,6 +148,10 @@ void RayStream::intersect() {
     shade_sky(misses.first(miss_count));
 }
 
+uint8_t RayStream::mask_of(const PathRay& ray) const {
+    return program_.ray_masks[ray.reflected ? 2 : (ray.refracted ? 1 : 0)];
+}
+
 /// What rays that run side by side may meet; null if they do not, or if that is too much.
 const Candidates* RayStream::candidates(std::span<const PathRay> rays) {
     constexpr size_t fewest = 4;
@@ -132,7 +184,7 @@ void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     // One hit point of each surface that a mesh or blob wears here.
     program_.geometry.surfaces_at(hit, worn_);
     for (const auto& [worn, share] : worn_) {
-        if (worn_.size() > 1 && share < program_.world.settings.adc_bailout) continue;
+        if (worn_.size() > 1 && share < program_.adc_bailout) continue;
         add_point(ray_index, hit, program_.surfaces[worn], weight * share, alpha * share);
     }
 }
@@ -274,7 +326,7 @@ void RayStream::shade_hits() {
     }
 }
 
-void RayStream::finish(std::span<const CameraRay> rays, std::span<Radiance> out) {
+void RayStream::add_powers() {
     // Later slots belong to mirrors seen in earlier ones.
     for (size_t k = state_.power_slots.size(); k-- > 0;) {
         const PowerSlot& mirror = state_.power_slots[k];
@@ -282,10 +334,6 @@ void RayStream::finish(std::span<const CameraRay> rays, std::span<Radiance> out)
         const Rgb raised{std::pow(light.x, mirror.power), std::pow(light.y, mirror.power),
                          std::pow(light.z, mirror.power)};
         state_.slots[mirror.parent].rgb += mirror.weight * raised;
-    }
-    for (size_t i = 0; i < rays.size(); ++i) {
-        out[i] = rays[i].exists ? Radiance{state_.slots[i].rgb, state_.slots[i].transmit}
-                                : Radiance{Rgb(0.0f), 1.0f};
     }
 }
 

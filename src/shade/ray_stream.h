@@ -3,7 +3,21 @@
 
 namespace rb {
 
-/// Follows one batch of camera rays, wave by wave, until nothing is left to follow.
+/// A ray that leaves a surface to gather what comes from where it goes.
+struct GatherRay {
+    Ray ray;
+    uint32_t leaf = no_leaf;
+    uint32_t part = any_part;
+    uint32_t member = 0;
+    double error = 0;
+    uint64_t seed = 0;
+};
+struct GatheredLight {
+    Rgb rgb{0.0f};
+    double distance = 0;  ///< to what the ray meets; infinite if it meets nothing
+};
+
+/// Follows one batch of rays, wave by wave, until nothing is left to follow.
 class RayStream {
 public:
     RayStream(const ShadingProgram& program, StreamState& state)
@@ -11,9 +25,17 @@ public:
 
     void trace(std::span<const CameraRay> rays, std::span<Radiance> out);
 
+    /// Rays from surfaces with `depth` - 1 diffuse surfaces between them and the eye, under the limits of
+    /// shading spec 13.3.
+    void gather(std::span<const GatherRay> rays, int depth, std::span<GatheredLight> out);
+
 private:
+    void clear(size_t slots);
     void start(std::span<const CameraRay> rays);
+    void start(std::span<const GatherRay> rays, int depth);
+    void note_distances(std::span<GatheredLight> out) const;
     void run_wave();
+    uint8_t mask_of(const PathRay& ray) const;
     void intersect();
     const Candidates* candidates(std::span<const PathRay> rays);
     void add_hit(uint32_t ray_index, const Hit& hit);
@@ -29,7 +51,7 @@ private:
                   float& alpha);
     void pass_media(uint32_t ray_index, double length, std::span<const uint32_t> lights, Rgb& weight,
                     float& alpha);
-    void finish(std::span<const CameraRay> rays, std::span<Radiance> out);
+    void add_powers();
 
     const ShadingProgram& program_;
     StreamState& state_;

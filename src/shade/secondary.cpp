@@ -92,8 +92,7 @@ PathRay& SecondaryRays::add_child(const HitPoint& hit, uint64_t purpose) {
 }
 
 bool SecondaryRays::worth_following(const PathRay& ray) const {
-    const GlobalSettings& settings = program_.world.settings;
-    return ray.level < settings.max_trace_level && !(ray.importance < settings.adc_bailout);
+    return ray.level < state_.level_limit && !(ray.importance < program_.adc_bailout);
 }
 
 bool SecondaryRays::keep_or_drop(const PathRay& ray) {

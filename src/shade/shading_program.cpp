@@ -5,17 +5,35 @@
 
 namespace rb {
 
-ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions& chosen)
+namespace {
+
+bool air_acts(const World& world, const ShadingOptions& options, RayPurpose purpose) {
+    if (options.quality < 9) return false;
+    return purpose == RayPurpose::picture || (world.settings.radiosity && world.settings.radiosity->media);
+}
+
+}  // namespace
+
+ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions& chosen, RayPurpose rays)
     : world(world_to_shade),
       geometry(*world_to_shade.geometry),
       options(chosen),
+      purpose(rays),
+      adc_bailout(world_to_shade.settings.adc_bailout),
+      has_air_effects(air_acts(world_to_shade, chosen, rays)),
       patterns{world_to_shade.settings.noise_generator, world_to_shade.settings.number_of_waves},
       before_37(world_to_shade.effective_version < 370),
-      sky(world_to_shade.sky_sphere, world_to_shade.background, patterns, before_37, chosen.alpha_output),
-      fog(chosen.quality >= 9 ? world_to_shade.fogs : std::vector<Fog>{}, patterns.noise_generator),
-      rainbow(chosen.quality >= 9 ? world_to_shade.rainbows : std::vector<Rainbow>{}),
-      media(world_to_shade, patterns, chosen.quality >= 9) {
+      sky(world_to_shade.sky_sphere, world_to_shade.background, patterns, before_37,
+          chosen.alpha_output && rays == RayPurpose::picture),
+      fog(has_air_effects ? world_to_shade.fogs : std::vector<Fog>{}, patterns.noise_generator),
+      rainbow(has_air_effects ? world_to_shade.rainbows : std::vector<Rainbow>{}),
+      media(world_to_shade, patterns, has_air_effects) {
     options.quality = std::clamp(options.quality, 0, 9);
+    if (purpose == RayPurpose::gather) {
+        if (world.settings.radiosity) adc_bailout = world.settings.radiosity->adc_bailout;
+        ray_masks = {seen_by_gather, seen_by_gather_refracted, seen_by_gather_mirrored};
+        options.alpha_output = false;
+    }
     add_surfaces();
     add_lights();
     for (const SurfaceMask kind : {blocks_light, filters_light}) {
@@ -25,7 +43,9 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
 }
 
 void ShadingProgram::add_surfaces() {
-    TextureCompiler compiler({patterns, world.settings.ambient_light, options.quality});
+    const bool replaces_ambient = has_indirect_light(world, options) && !before_37;
+    const Rgb ambient = replaces_ambient ? Rgb(0.0f) : world.settings.ambient_light;
+    TextureCompiler compiler({patterns, ambient, options.quality, purpose == RayPurpose::picture});
     tracks_interiors = has_air() || media.fills_interiors() || !options.skip_unneeded;
     needs_samples = !options.skip_unneeded;
     std::unordered_map<const TextureLayers*, uint32_t> known;
@@ -71,7 +91,7 @@ void ShadingProgram::add_lights() {
     std::vector<uint32_t> global;
     for (const WorldLight& placed : world.lights) {
         Light light = placed.light;
-        if (options.quality < 5) light.is_area = false;
+        if (options.quality < 5 || purpose == RayPurpose::gather) light.is_area = false;
         LightProgram program(light, placed.projected_through.get(), options.area_lights);
         if (placed.is_global) global.push_back(static_cast<uint32_t>(lights.size()));
         first_sample.push_back(sample_count);

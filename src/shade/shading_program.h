@@ -27,13 +27,29 @@ struct SurfaceProgram {
     bool needs_uv = false;  ///< of either look
 };
 
+/// Whom a program serves: rays of the picture, or rays that gather indirect light. To those highlights are
+/// invisible, area lights are points at their centres, the air is clear (but with `media on`), and the level
+/// at which little weight is dropped is another one (shading spec 13.2).
+enum class RayPurpose { picture, gather };
+
 /// A world compiled for shading; immutable while rendering.
 struct ShadingProgram {
-    ShadingProgram(const World& world_to_shade, const ShadingOptions& chosen);
+    ShadingProgram(const World& world_to_shade, const ShadingOptions& chosen,
+                   RayPurpose rays = RayPurpose::picture);
+
+    /// radiosity{} is in force: it takes the place of ambient light from version 3.7 on.
+    static bool has_indirect_light(const World& world, const ShadingOptions& options) {
+        return world.settings.radiosity && options.indirect_light && options.quality >= 9;
+    }
 
     const World& world;
     const Geometry& geometry;
     ShadingOptions options;
+    RayPurpose purpose;
+    float adc_bailout;
+    bool has_air_effects;  ///< fog, rainbows and media act
+    /// SurfaceMask bits of straight rays, refracted ones, and those that were reflected.
+    std::array<uint8_t, 3> ray_masks{seen_by_image, seen_by_image, seen_by_reflection};
     PatternSettings patterns;
     bool before_37 = false;  ///< the older rules for opacity and sky
     std::vector<TextureProgram> textures;

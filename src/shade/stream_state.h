@@ -94,9 +94,12 @@ struct StreamState {
     std::vector<LightSlot> slots;
     std::vector<PowerSlot> power_slots;
     InteriorPool interiors;
-    double reach = 0;                   ///< length of the current wave's rays
-    std::vector<uint32_t> look_counts;  ///< all 0 between waves
-    std::vector<uint32_t> blockers;     ///< per light sample, the leaf that blocked it last
+    double reach = 0;                         ///< length of the current wave's rays
+    int level_limit = 0;                      ///< rays of this level are not followed
+    const IndirectLight* indirect = nullptr;  ///< asked for the indirect light of hits; or null
+    int depth = 0;                            ///< diffuse surfaces between the hits and the eye
+    std::vector<uint32_t> look_counts;        ///< all 0 between waves
+    std::vector<uint32_t> blockers;           ///< per light sample, the leaf that blocked it last
     RayCounters counters;
 
     // Surface samples of the hits, for patterns that ask.

@@ -1,9 +1,18 @@
 #include "shade/surface_shader.h"
 
+#include "math/random.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace rb {
+
+namespace {
+
+/// What the random numbers of gathers are drawn for.
+constexpr uint64_t purpose_indirect = 0x30000;
+
+}  // namespace
 
 /// A part of a group: which hits, at which pattern points, and how much each counts in a blend.
 struct SurfaceShader::Rows {
@@ -45,6 +54,12 @@ void SurfaceShader::shade(const Look& look, std::span<const uint32_t> hits) {
     const bool several = texture.is_patterned() || texture.layers.size() > 1;
     lights_ = program_.light_lists[look.lights];
     ShadowMemory shadows(hits.size(), lights_.size(), several, memory);
+    if (state_.indirect) {
+        for (const Side side : {front, back}) {
+            indirect_.mean[side] = memory.take<Rgb>(hits.size());
+            indirect_.known[side] = memory.take<uint8_t>(hits.size(), uint8_t{0});
+        }
+    }
     const std::span<const Warp> chain = look.transform;
     const Chains enclosing{&chain, transform ? size_t{1} : size_t{0}};
     shade_rows(texture, {hits, roots, points, memory.take<float>(hits.size(), 1.0f)}, enclosing, shadows);
@@ -52,9 +67,10 @@ void SurfaceShader::shade(const Look& look, std::span<const uint32_t> hits) {
 
 void SurfaceShader::shade_rows(const TextureProgram& texture, const Rows& rows, Chains enclosing,
                                ShadowMemory& memory) {
+    if (state_.indirect) forget_indirect(rows);
     if (texture.is_patterned()) {
         shade_children(texture, rows, enclosing, memory);
-    } else if (texture.layers.size() == 1 && program_.world.settings.adc_bailout < 1.0f) {
+    } else if (texture.layers.size() == 1 && program_.adc_bailout < 1.0f) {
         shade_single(texture.layers.front(), rows, enclosing, memory);
     } else {
         shade_layers(texture, rows, enclosing, memory);
@@ -125,7 +141,7 @@ void SurfaceShader::shade_layers(const TextureProgram& texture, const Rows& rows
     for (const LayerProgram& layer : texture.layers) {
         size_t active_count = 0;
         for (size_t i = 0; i < count; ++i) {
-            if (stack.through[i] > program_.world.settings.adc_bailout) {
+            if (stack.through[i] > program_.adc_bailout) {
                 active[active_count++] = static_cast<uint32_t>(i);
             }
         }
@@ -160,10 +176,60 @@ Rgb SurfaceShader::own_light(const LayerProgram& layer, const LitRow& lit) const
     return layer.finish->own_light * lit.place.pigment * lit.place.opacity + lit.light;
 }
 
+/// Where light is gathered around perturbed normals, textures that are mixed do not share it.
+void SurfaceShader::forget_indirect(const Rows& rows) {
+    if (!program_.world.settings.radiosity->normal) return;
+    for (const uint32_t root : rows.roots) indirect_.known[front][root] = indirect_.known[back][root] = 0;
+}
+
+/// Diffuse light from other surfaces and the sky (shading spec 13.2). `filters`: of the layers above; empty
+/// if there are none.
+void SurfaceShader::add_indirect(const FinishProgram& finish, std::span<LitRow> rows,
+                                 std::span<const Rgb> filters) {
+    for (const Side side : {front, back}) {
+        const float diffuse = side == front ? finish.finish.raw_diffuse : finish.finish.raw_diffuse_back;
+        if (diffuse == 0.0f) continue;
+        gather(side, diffuse, rows, filters);
+        for (LitRow& row : rows) {
+            if (!indirect_.known[side][row.root]) continue;
+            row.light += row.place.pigment * indirect_.mean[side][row.root] * row.place.opacity * diffuse;
+        }
+    }
+}
+
+/// For the rows that do not know yet, and where enough of it would be seen.
+void SurfaceShader::gather(Side side, float diffuse, std::span<const LitRow> rows,
+                           std::span<const Rgb> filters) {
+    Scratch::Scope memory(thread_scratch());
+    const auto asking = memory.take<uint32_t>(rows.size());
+    const auto places = memory.take<IndirectPlace>(rows.size());
+    const bool perturbed = program_.world.settings.radiosity->normal;
+    size_t count = 0;
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const LitRow& row = rows[i];
+        if (indirect_.known[side][row.root]) continue;
+        const Rgb seen = filters.empty() ? row.place.pigment : filters[i] * row.place.pigment;
+        if (!(grey(seen) * row.place.opacity * diffuse > program_.adc_bailout)) continue;
+        const HitPoint& hit = state_.hits[row.hit];
+        const double sign = side == front ? 1.0 : -1.0;
+        const Vec3 normal = perturbed ? row.place.normal : hit.normal;
+        const uint64_t seed = mixed(state_.ray_of(hit).seed, purpose_indirect + side);
+        places[count] = {hit.point, sign * normal, sign * hit.normal, hit.leaf,
+                         hit.part,  hit.member,    hit.error,         seed};
+        asking[count++] = row.root;
+    }
+    const auto mean = memory.take<Rgb>(count);
+    state_.indirect->gather(places.first(count), state_.depth, mean);
+    for (size_t k = 0; k < count; ++k) {
+        indirect_.mean[side][asking[k]] = mean[k];
+        indirect_.known[side][asking[k]] = 1;
+    }
+}
+
 /// Normals, pigments and direct light of one layer.
 SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, const Rows& rows,
                                                    Chains enclosing, ShadowMemory& shadows,
-                                                   Scratch::Scope& memory) {
+                                                   std::span<const Rgb> filters, Scratch::Scope& memory) {
     const size_t count = rows.size();
     const LitLayer layer_rows{memory.take<LitRow>(count), memory.take<Color>(count)};
     Scratch::Scope scratch(thread_scratch());
@@ -194,6 +260,7 @@ SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, co
     }
     if (finish.takes_light && program_.options.quality > 1)
         light_.add(finish, layer_rows.lit, lights_, shadows);
+    if (state_.indirect && finish.takes_indirect_light) add_indirect(finish, layer_rows.lit, filters);
     return layer_rows;
 }
 
@@ -201,7 +268,7 @@ SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, co
 void SurfaceShader::shade_single(const LayerProgram& layer, const Rows& rows, Chains enclosing,
                                  ShadowMemory& shadows) {
     Scratch::Scope memory(thread_scratch());
-    const auto [lit, pigments] = light_layer(layer, rows, enclosing, shadows, memory);
+    const auto [lit, pigments] = light_layer(layer, rows, enclosing, shadows, {}, memory);
     for (size_t i = 0; i < rows.size(); ++i) {
         const HitPoint& hit = state_.hits[rows.hits[i]];
         state_.slots[state_.ray_of(hit).slot].rgb += hit.weight * rows.shares[i] * own_light(layer, lit[i]);
@@ -217,7 +284,7 @@ void SurfaceShader::shade_single(const LayerProgram& layer, const Rows& rows, Ch
         const Rgb filter = passed(pigments[i]) * kept(layer, mirror);
         const float through = std::min(1.0f, std::abs(grey(filter)));
         bool total_reflection = false;
-        if (through > program_.world.settings.adc_bailout && program_.options.quality >= 6) {
+        if (through > program_.adc_bailout && program_.options.quality >= 6) {
             total_reflection =
                 secondary_.transmit(hit, {layer.finish.get(), normal, filter, through, rows.shares[i]});
         }
@@ -237,7 +304,10 @@ void SurfaceShader::shade_layer(const LayerProgram& layer, const Rows& rows, std
         roots[i] = rows.roots[active[i]];
         points[i] = rows.points[active[i]];
     }
-    const auto [lit, pigments] = light_layer(layer, {hits, roots, points, {}}, enclosing, shadows, memory);
+    const auto filters = memory.take<Rgb>(count);
+    for (size_t i = 0; i < count; ++i) filters[i] = stack.filter[active[i]];
+    const auto [lit, pigments] =
+        light_layer(layer, {hits, roots, points, {}}, enclosing, shadows, filters, memory);
     for (size_t i = 0; i < count; ++i) {
         const uint32_t row = active[i];
         if (stack.is_top) stack.top_normal[row] = lit[i].place.normal;
@@ -288,7 +358,7 @@ void SurfaceShader::send_on(const TextureProgram& texture, const Rows& rows, con
     for (size_t i = 0; i < rows.size(); ++i) {
         const HitPoint& hit = state_.hits[rows.hits[i]];
         bool total_reflection = false;
-        if (stack.through[i] > program_.world.settings.adc_bailout && program_.options.quality >= 6) {
+        if (stack.through[i] > program_.adc_bailout && program_.options.quality >= 6) {
             total_reflection =
                 secondary_.transmit(hit, {texture.layers.front().finish.get(), stack.top_normal[i],
                                           stack.filter[i], stack.through[i], rows.shares[i]});

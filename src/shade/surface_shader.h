@@ -22,6 +22,13 @@ private:
         std::span<Color> pigments;
     };
     using Chains = std::span<const std::span<const Warp>>;
+    /// Which side of a surface light comes from: the viewer's, or the other one.
+    enum Side : size_t { front, back };
+    /// What the rows of a group know of their indirect light: layers share it.
+    struct Indirect {
+        std::array<std::span<Rgb>, 2> mean;       ///< by side
+        std::array<std::span<uint8_t>, 2> known;  ///< by side
+    };
 
     void shade_rows(const TextureProgram& texture, const Rows& rows, Chains enclosing, ShadowMemory& memory);
     void shade_children(const TextureProgram& texture, const Rows& rows, Chains enclosing,
@@ -34,17 +41,21 @@ private:
                     Chains enclosing, std::span<Vec3> normals);
     void shade_single(const LayerProgram& layer, const Rows& rows, Chains enclosing, ShadowMemory& memory);
     LitLayer light_layer(const LayerProgram& layer, const Rows& rows, Chains enclosing, ShadowMemory& shadows,
-                         Scratch::Scope& memory);
+                         std::span<const Rgb> filters, Scratch::Scope& memory);
     MirrorRecord mirror_of(const LayerProgram& layer, const LitRow& lit, float through, float share) const;
     static Rgb kept(const LayerProgram& layer, const MirrorRecord& mirror);
     void send_on(const TextureProgram& texture, const Rows& rows, const LayerStack& stack);
     Rgb own_light(const LayerProgram& layer, const LitRow& lit) const;
+    void forget_indirect(const Rows& rows);
+    void add_indirect(const FinishProgram& finish, std::span<LitRow> rows, std::span<const Rgb> filters);
+    void gather(Side side, float diffuse, std::span<const LitRow> rows, std::span<const Rgb> filters);
 
     const ShadingProgram& program_;
     StreamState& state_;
     DirectLight light_;
     SecondaryRays secondary_;
     std::span<const uint32_t> lights_;  ///< that shine on the hits at hand
+    Indirect indirect_;                 ///< of the group at hand, if anybody is asked
 };
 
 }  // namespace rb

@@ -25,9 +25,11 @@ FinishProgram::FinishProgram(const Finish& written, const TextureSettings& setti
       phong_size(static_cast<double>(written.phong_size)),
       roughness(static_cast<double>(written.roughness_exponent)) {
     own_light = written.ambient * settings.ambient_light + written.emission;
-    takes_light = written.diffuse != 0.0f || written.diffuse_back != 0.0f || written.phong != 0.0f ||
-                  written.specular != 0.0f;
-    has_highlights = written.phong > 0.0f || written.specular > 0.0f;
+    if (!settings.highlights) finish.phong = finish.specular = 0;
+    takes_light = finish.diffuse != 0.0f || finish.diffuse_back != 0.0f || finish.phong != 0.0f ||
+                  finish.specular != 0.0f;
+    takes_indirect_light = finish.raw_diffuse != 0.0f || finish.raw_diffuse_back != 0.0f;
+    has_highlights = finish.phong > 0.0f || finish.specular > 0.0f;
     const Reflection& r = written.reflection;
     reflects = settings.quality >= 8 && (r.min != Rgb(0.0f) || r.max != Rgb(0.0f));
     reflection_importance = std::max(largest(r.min), largest(r.max));

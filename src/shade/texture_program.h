@@ -15,6 +15,7 @@ struct TextureSettings {
     PatternSettings patterns;
     Rgb ambient_light{1.0f};
     int quality = 9;
+    bool highlights = true;
 };
 
 /// A finish with what its formulas need worked out once (manual 3.4.6.3).
@@ -24,6 +25,7 @@ struct FinishProgram {
     Finish finish;
     Rgb own_light{0.0f};  ///< ambient under the scene's ambient light, and emission
     bool takes_light = false;
+    bool takes_indirect_light = false;
     bool has_highlights = false;
     bool reflects = false;
     float reflection_importance = 0;  ///< largest component of min and max

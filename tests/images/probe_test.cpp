@@ -122,6 +122,7 @@ TEST_P(Probes, MatchTheMeasuredValues) {
     options.region = {0, 0, p.width, p.height};
     options.antialias = antialias_of(p.options);
     options.shading.alpha_output = p.options.find("+UA") != std::string::npos;
+    options.gi = GiMode::brute;
     const std::atomic<bool> stop{false};
     const RenderResult result = render(world, options, stop, nullptr);
     for (const Pixel& q : p.pixels) {

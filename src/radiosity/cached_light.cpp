@@ -1,0 +1,112 @@
+#include "radiosity/cached_light.h"
+
+#include "base/parallel.h"
+#include "math/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace rb {
+
+namespace {
+
+/// Later bounces show less of their errors.
+double looseness(int depth) { return std::ldexp(1.0, depth); }
+
+/// A fixed order of `count` things in which every part is spread over the whole.
+std::vector<uint32_t> spread_order(size_t count) {
+    std::vector<uint32_t> order(count);
+    std::iota(order.begin(), order.end(), 0u);
+    for (size_t i = count; i > 1; --i) std::swap(order[i - 1], order[mixed(0, i) % i]);
+    return order;
+}
+
+}  // namespace
+
+CachedLight::CachedLight(const RayGather& rays, const Vec3& eye) : rays_(rays), eye_(eye) {
+    const RadiositySettings& settings = rays.settings();
+    const double bound = settings.error_bound * settings.low_error_factor;
+    for (int depth = 0; depth < settings.recursion_limit; ++depth) caches_.emplace_back(bound);
+}
+
+const IndirectLight* CachedLight::next(int depth) const {
+    return depth + 1 < rays_.settings().recursion_limit ? this : nullptr;
+}
+
+void CachedLight::gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const {
+    const IrradianceCache& cache = caches_[static_cast<size_t>(depth)];
+    const bool fills_gaps = rays_.settings().always_sample && depth == 0;
+    for (size_t i = 0; i < places.size(); ++i) {
+        const auto found = cache.look_up(places[i].point, places[i].normal);
+        if (fills_gaps ? is_enough(found.weight) : found.weight > 0.0) {
+            mean[i] = found.mean;
+            continue;
+        }
+        Gathered fresh;
+        const HemisphereGrid& grid = depth == 0 ? rays_.grid_at(0) : rays_.coarse_grid();
+        rays_.gather(places.subspan(i, 1), {depth, &grid, next(depth)}, {&fresh, 1});
+        gaps_[depth == 0 ? 0 : 1].fetch_add(1, std::memory_order_relaxed);
+        mean[i] = fresh.mean;
+    }
+}
+
+bool CachedLight::is_enough(double weight) const { return 4.0 * weight >= rays_.settings().nearest_count; }
+
+bool CachedLight::knows(const IndirectPlace& place, int depth) const {
+    return is_enough(caches_[static_cast<size_t>(depth)].look_up(place.point, place.normal).weight);
+}
+
+void CachedLight::learn(std::span<const IndirectPlace> places, int depth, int threads) {
+    constexpr size_t least_together = 64;
+    const auto order = spread_order(places.size());
+    IrradianceCache& cache = caches_[static_cast<size_t>(depth)];
+    std::vector<IndirectPlace> unknown;
+    for (size_t i = 0; i < order.size();) {
+        // Those of one round do not know of each other.
+        const size_t together = std::max(least_together, cache.size() / 4);
+        unknown.clear();
+        for (; i < order.size() && unknown.size() < together; ++i) {
+            if (!knows(places[order[i]], depth)) unknown.push_back(places[order[i]]);
+        }
+        for (const IrradianceRecord& record : gathered(unknown, depth, threads)) cache.insert(record);
+    }
+}
+
+std::vector<IrradianceRecord> CachedLight::gathered(std::span<const IndirectPlace> places, int depth,
+                                                    int threads) const {
+    constexpr size_t chunk = 8;
+    const GatherTask task{depth, &rays_.grid_at(depth), next(depth), true};
+    std::vector<IrradianceRecord> records(places.size());
+    parallel_for((places.size() + chunk - 1) / chunk, threads, [&](size_t c) {
+        const auto some = places.subspan(c * chunk, std::min(chunk, places.size() - c * chunk));
+        std::array<Gathered, chunk> found;
+        rays_.gather(some, task, std::span(found).first(some.size()));
+        for (size_t i = 0; i < some.size(); ++i) records[c * chunk + i] = record_of(some[i], depth, found[i]);
+    });
+    return records;
+}
+
+IrradianceRecord CachedLight::record_of(const IndirectPlace& place, int depth,
+                                        const Gathered& gathered) const {
+    const RadiositySettings& settings = rays_.settings();
+    const double scale = looseness(depth) * glm::length(place.point - eye_);
+    IrradianceRecord record;
+    record.point = place.point;
+    record.normal = place.normal;
+    record.mean = gathered.mean;
+    record.rotation = gathered.rotation;
+    record.translation = gathered.translation;
+    record.radius =
+        std::clamp(gathered.distance, settings.minimum_reuse * scale, settings.maximum_reuse * scale);
+    return record;
+}
+
+void PlaceCollector::gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const {
+    for (size_t i = 0; i < places.size(); ++i) {
+        mean[i] = Rgb(0.0f);
+        if (!known_ || !known_->knows(places[i], depth)) out_.push_back(places[i]);
+    }
+}
+
+}  // namespace rb

@@ -1,0 +1,53 @@
+#pragma once
+#include "radiosity/irradiance_cache.h"
+#include "radiosity/ray_gather.h"
+
+#include <vector>
+
+namespace rb {
+
+/// Interpolates between places where light was gathered before: one cache for each bounce. What is not known
+/// well enough is gathered on the spot, and not kept, so that answers never depend on what was asked before.
+class CachedLight final : public IndirectLight {
+public:
+    CachedLight(const RayGather& rays, const Vec3& eye);
+
+    void gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const override;
+
+    /// There are enough records near a place.
+    bool knows(const IndirectPlace& place, int depth) const;
+
+    /// Gathers at places that are not known yet, in an order that depends on their number only.
+    void learn(std::span<const IndirectPlace> places, int depth, int threads);
+
+    /// Places so far at which nothing was known: those seen by the eye, and those seen by gathers.
+    std::array<uint64_t, 2> gap_counts() const { return {gaps_[0].load(), gaps_[1].load()}; }
+    size_t record_count(int depth) const { return caches_[static_cast<size_t>(depth)].size(); }
+
+private:
+    IrradianceRecord record_of(const IndirectPlace& place, int depth, const Gathered& gathered) const;
+    std::vector<IrradianceRecord> gathered(std::span<const IndirectPlace> places, int depth,
+                                           int threads) const;
+    const IndirectLight* next(int depth) const;
+    bool is_enough(double weight) const;
+
+    const RayGather& rays_;
+    Vec3 eye_;
+    std::vector<IrradianceCache> caches_;  ///< by depth
+    mutable std::array<std::atomic<uint64_t>, 2> gaps_{};
+};
+
+/// Takes note of the places that ask; serves one thread. It answers with darkness.
+class PlaceCollector final : public IndirectLight {
+public:
+    /// `known`: whose places are left out; or null.
+    PlaceCollector(const CachedLight* known, std::vector<IndirectPlace>& out) : known_(known), out_(out) {}
+
+    void gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const override;
+
+private:
+    const CachedLight* known_;
+    std::vector<IndirectPlace>& out_;
+};
+
+}  // namespace rb

@@ -1,0 +1,92 @@
+#include "radiosity/radiosity.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+
+namespace rb {
+
+void BruteLight::gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const {
+    const bool goes_on = depth + 1 < rays_.settings().recursion_limit;
+    const GatherTask task{depth, &rays_.grid_at(depth), goes_on ? this : nullptr};
+    // What is gathered is more than what is asked for: a few places at a time.
+    constexpr size_t together = 64;
+    std::array<Gathered, together> found;
+    for (size_t begin = 0; begin < places.size(); begin += together) {
+        const auto some = places.subspan(begin, std::min(together, places.size() - begin));
+        rays_.gather(some, task, std::span(found).first(some.size()));
+        for (size_t i = 0; i < some.size(); ++i) mean[begin + i] = found[i].mean;
+    }
+}
+
+Radiosity::Radiosity(const World& world, const ShadingOptions& options, GiMode mode)
+    : rays_(world, options), brute_(rays_) {
+    if (mode != GiMode::brute) cached_ = std::make_unique<CachedLight>(rays_, world.camera.location);
+}
+
+const IndirectLight& Radiosity::light() const {
+    if (cached_) return *cached_;
+    return brute_;
+}
+
+RadiosityReport Radiosity::report() const {
+    RadiosityReport report;
+    if (cached_) {
+        for (int depth = 0; depth < rays_.settings().recursion_limit; ++depth) {
+            report.records.push_back(cached_->record_count(depth));
+        }
+        report.gaps = cached_->gap_counts();
+    }
+    report.gathers = rays_.gather_count();
+    report.rays = rays_.ray_count();
+    report.shadow_rays = rays_.shadow_ray_count();
+    return report;
+}
+
+void Radiosity::prepare(const PictureSurvey& survey, int longer_side, int threads) {
+    if (!cached_) return;
+    constexpr int finest = 2;
+    const double widest = rays_.settings().pretrace_start * longer_side;
+    const int first = std::max(finest, static_cast<int>(widest));
+    if (rays_.settings().recursion_limit > 1)
+        learn_later_bounces(survey(std::min(first, 8), nullptr), threads);
+    for (int step = first; step >= finest; step /= 2) {
+        cached_->learn(survey(step, cached_.get()), 0, threads);
+    }
+}
+
+/// From the last bounce to the second, so that each can ask the one after it.
+void Radiosity::learn_later_bounces(std::vector<IndirectPlace> places, int threads) {
+    std::vector<std::vector<IndirectPlace>> places_at{std::move(places)};
+    for (int depth = 1; depth < rays_.settings().recursion_limit; ++depth) {
+        places_at.push_back(met_from(places_at.back(), depth - 1, threads));
+    }
+    for (int depth = rays_.settings().recursion_limit - 1; depth > 0; --depth) {
+        cached_->learn(places_at[static_cast<size_t>(depth)], depth, threads);
+    }
+}
+
+/// Where rays from places of one bounce ask for the next.
+std::vector<IndirectPlace> Radiosity::met_from(std::span<const IndirectPlace> places, int depth,
+                                               int threads) const {
+    constexpr size_t wanted = 16384;
+    constexpr size_t chunk = 16;
+    if (places.empty()) return {};
+    const HemisphereGrid grid(static_cast<int>(std::clamp<size_t>(wanted / places.size(), 1, 16)));
+    const size_t stride = std::max<size_t>(1, places.size() / wanted);
+    const size_t used = places.size() / stride;
+    std::vector<std::vector<IndirectPlace>> parts((used + chunk - 1) / chunk);
+    parallel_for(parts.size(), threads, [&](size_t c) {
+        const PlaceCollector collector(nullptr, parts[c]);
+        const GatherTask task{depth, &grid, &collector};
+        Gathered ignored;
+        for (size_t i = c * chunk; i < std::min(used, (c + 1) * chunk); ++i) {
+            rays_.gather(places.subspan(i * stride, 1), task, {&ignored, 1});
+        }
+    });
+    std::vector<IndirectPlace> met;
+    for (const auto& part : parts) met.insert(met.end(), part.begin(), part.end());
+    return met;
+}
+
+}  // namespace rb

@@ -1,0 +1,61 @@
+#pragma once
+#include "radiosity/cached_light.h"
+
+#include <functional>
+#include <memory>
+
+namespace rb {
+
+/// How the light between diffuse surfaces is found (`--gi`).
+enum class GiMode {
+    automatic,
+    off,    ///< not at all: as without radiosity{}
+    brute,  ///< rays over the hemisphere of every place, at every bounce
+};
+
+/// Gathers at every place that asks, and at every surface that the rays meet.
+class BruteLight final : public IndirectLight {
+public:
+    explicit BruteLight(const RayGather& rays) : rays_(rays) {}
+    void gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const override;
+
+private:
+    const RayGather& rays_;
+};
+
+/// Lists the places that ask along camera rays `step` pixels apart, without those that `known` knows (or
+/// null).
+using PictureSurvey = std::function<std::vector<IndirectPlace>(int step, const CachedLight* known)>;
+
+/// What finding the indirect light took.
+struct RadiosityReport {
+    std::vector<size_t> records;  ///< by bounce; none under GiMode::brute
+    uint64_t gathers = 0;
+    std::array<uint64_t, 2> gaps{};  ///< places without a record: seen by the eye, and by gathers
+    uint64_t rays = 0;               ///< that gathered, but for what they sent on
+    uint64_t shadow_rays = 0;
+};
+
+/// The indirect light of a scene with radiosity{}.
+class Radiosity {
+public:
+    Radiosity(const World& world, const ShadingOptions& options, GiMode mode);
+
+    /// Before light() is asked. `longer_side`: of the picture, in pixels.
+    void prepare(const PictureSurvey& survey, int longer_side, int threads);
+
+    const IndirectLight& light() const;
+
+    /// What was done so far.
+    RadiosityReport report() const;
+
+private:
+    void learn_later_bounces(std::vector<IndirectPlace> places, int threads);
+    std::vector<IndirectPlace> met_from(std::span<const IndirectPlace> places, int depth, int threads) const;
+
+    RayGather rays_;
+    BruteLight brute_;
+    std::unique_ptr<CachedLight> cached_;  ///< null under GiMode::brute
+};
+
+}  // namespace rb

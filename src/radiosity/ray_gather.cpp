@@ -1,0 +1,191 @@
+#include "radiosity/ray_gather.h"
+
+#include "math/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace rb {
+
+namespace {
+
+/// Rays that travel together, about.
+constexpr size_t stream_size = 512;
+
+/// Gathers are nested: the surfaces that their rays meet gather in their turn. Each depth has its own state.
+StreamState& state_at(int depth) {
+    thread_local std::vector<std::unique_ptr<StreamState>> states;
+    const auto index = static_cast<size_t>(depth);
+    if (states.size() <= index) states.resize(index + 1);
+    if (!states[index]) states[index] = std::make_unique<StreamState>();
+    return *states[index];
+}
+
+constexpr int fewest_rays = 5;
+constexpr int most_rays = 1 << 16;
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+/// What came from the cells of a hemisphere.
+struct RayGather::Cells {
+    const Hemisphere& hemisphere;
+    std::span<const GatheredLight> light;  ///< distance 0 where nothing was sent
+
+    Gradient rotation() const;
+    Gradient translation() const;
+
+private:
+    std::span<const GatheredLight> ring(int index) const {
+        const auto sectors = static_cast<size_t>(hemisphere.grid().sectors());
+        return light.subspan(static_cast<size_t>(index) * sectors, sectors);
+    }
+};
+
+/// What the normal turns to counts more.
+Gradient RayGather::Cells::rotation() const {
+    constexpr double least_cosine = 0.02;
+    Gradient gradient;
+    for (size_t k = 0; k < light.size(); ++k) {
+        const Vec3 direction = hemisphere.direction(k);
+        const double cosine = std::max(glm::dot(direction, hemisphere.normal()), least_cosine);
+        gradient.add(direction / (cosine * static_cast<double>(light.size())), light[k].rgb);
+    }
+    gradient.turn_about(hemisphere.normal());
+    return gradient;
+}
+
+/// Light moves into a place's view over the edges between cells, as far as what is nearer moves.
+Gradient RayGather::Cells::translation() const {
+    const auto sines = hemisphere.grid().edge_sines();
+    const auto cosines = hemisphere.grid().edge_cosines();
+    const int sectors = hemisphere.grid().sectors();
+    const auto change = [](const GatheredLight& a, const GatheredLight& b, double weight) {
+        const double distance = std::min(a.distance, b.distance);
+        return static_cast<float>(weight / distance) * (a.rgb - b.rgb);
+    };
+    Gradient gradient;
+    for (int sector = 0; sector < sectors; ++sector) {
+        const auto k = static_cast<size_t>(sector);
+        const size_t before = sector > 0 ? k - 1 : static_cast<size_t>(sectors) - 1;
+        Rgb outward(0.0f);
+        Rgb around(0.0f);
+        for (int j = 0; j < hemisphere.grid().rings(); ++j) {
+            const auto edge = static_cast<size_t>(j);
+            const GatheredLight& here = ring(j)[k];
+            if (j > 0) outward += change(here, ring(j - 1)[k], sines[edge] * cosines[edge] * cosines[edge]);
+            around += change(here, ring(j)[before], sines[edge + 1] - sines[edge]);
+        }
+        gradient.add(hemisphere.tangent(sector + 0.5), outward * (2.0f / static_cast<float>(sectors)));
+        gradient.add(hemisphere.tangent(sector + 0.25 * sectors), around / static_cast<float>(pi));
+    }
+    return gradient;
+}
+
+RayGather::RayGather(const World& world, const ShadingOptions& options)
+    : program_(world, options, RayPurpose::gather), coarse_grid_(fewest_rays) {
+    for (int depth = 0; depth < settings().recursion_limit; ++depth) {
+        const double count = std::min(settings().count, most_rays) * std::pow(0.5, depth);
+        grids_.emplace_back(std::max(fewest_rays, static_cast<int>(count)));
+    }
+}
+
+Rgb RayGather::limited(const Rgb& light) const {
+    const float brightest = std::max({light.x, light.y, light.z});
+    const float limit = settings().max_sample;
+    return limit <= 0.0f || brightest <= limit ? light : light * (limit / brightest);
+}
+
+Rgb RayGather::toned(const Rgb& mean) const {
+    const float greyness = settings().gray_threshold;
+    return settings().brightness * ((1.0f - greyness) * mean + Rgb(greyness * grey(mean)));
+}
+
+/// The rays of a few places, and what they bring.
+struct RayGather::Batch {
+    Batch(std::span<const IndirectPlace> places, const HemisphereGrid& grid, Scratch::Scope& memory)
+        : hemispheres(memory.take<Hemisphere>(places.size())),
+          rays(memory.take<GatherRay>(places.size() * grid.size())),
+          cell_of_ray(memory.take<uint32_t>(places.size() * grid.size())),
+          light(memory.take<GatheredLight>(places.size() * grid.size(), GatheredLight{})) {
+        for (size_t i = 0; i < places.size(); ++i) {
+            const IndirectPlace& place = places[i];
+            hemispheres[i] = Hemisphere(grid, place.normal, place.seed);
+            for (size_t k = 0; k < grid.size(); ++k) {
+                const Vec3 direction = hemispheres[i].direction(k);
+                if (!(glm::dot(direction, place.surface) > 0.0)) continue;
+                cell_of_ray[ray_count] = static_cast<uint32_t>(i * grid.size() + k);
+                rays[ray_count++] = {
+                    {place.point, direction}, place.leaf, place.part, place.member, place.error,
+                    mixed(place.seed, 2 + k)};
+            }
+        }
+    }
+
+    std::span<Hemisphere> hemispheres;
+    std::span<GatherRay> rays;
+    std::span<uint32_t> cell_of_ray;  ///< among the cells of all places
+    std::span<GatheredLight> light;   ///< by cell; distance 0 where nothing was sent
+    size_t ray_count = 0;
+};
+
+void RayGather::gather(std::span<const IndirectPlace> places, const GatherTask& task,
+                       std::span<Gathered> out) const {
+    const HemisphereGrid& grid = *task.grid;
+    const size_t together = std::max<size_t>(1, stream_size / grid.size());
+    gathers_.fetch_add(places.size(), std::memory_order_relaxed);
+    for (size_t begin = 0; begin < places.size(); begin += together) {
+        Scratch::Scope memory(thread_scratch());
+        const auto some = places.subspan(begin, std::min(together, places.size() - begin));
+        Batch batch(some, grid, memory);
+        trace(batch, task.depth + 1, task.next);
+        for (size_t i = 0; i < some.size(); ++i) {
+            const auto light = batch.light.subspan(i * grid.size(), grid.size());
+            out[begin + i] = summed({batch.hemispheres[i], light}, task.gradients);
+        }
+    }
+}
+
+void RayGather::trace(Batch& batch, int depth, const IndirectLight* next) const {
+    StreamState& state = state_at(depth);
+    state.indirect = next;
+    Scratch::Scope memory(thread_scratch());
+    const auto found = memory.take<GatheredLight>(batch.ray_count);
+    RayStream(program_, state).gather(batch.rays.first(batch.ray_count), depth, found);
+    for (size_t i = 0; i < batch.ray_count; ++i) {
+        batch.light[batch.cell_of_ray[i]] = {limited(found[i].rgb), found[i].distance};
+    }
+    rays_.fetch_add(batch.ray_count, std::memory_order_relaxed);
+    shadow_rays_.fetch_add(state.counters.shadow, std::memory_order_relaxed);
+}
+
+Gathered RayGather::summed(const Cells& cells, bool gradients) const {
+    Gathered sum;
+    sum.nearest = unlimited;
+    double inverse_distances = 0;
+    size_t count = 0;
+    for (const GatheredLight& light : cells.light) {
+        if (light.distance == 0.0) continue;
+        ++count;
+        sum.mean += light.rgb;
+        inverse_distances += 1.0 / light.distance;
+        sum.nearest = std::min(sum.nearest, light.distance);
+    }
+    if (count == 0) return {};
+    sum.mean = toned(sum.mean / static_cast<float>(count));
+    sum.distance = inverse_distances > 0.0 ? static_cast<double>(count) / inverse_distances : unlimited;
+    // Where directions are missing nothing is known of what moves in or out.
+    if (!gradients || count < cells.light.size()) return sum;
+    sum.rotation = cells.rotation();
+    sum.translation = cells.translation();
+    for (Gradient* gradient : {&sum.rotation, &sum.translation}) {
+        for (Rgb& change : gradient->per_axis) change = toned(change);
+    }
+    return sum;
+}
+
+}  // namespace rb

@@ -1,0 +1,66 @@
+#pragma once
+#include "radiosity/gradient.h"
+#include "radiosity/hemisphere.h"
+#include "shade/ray_stream.h"
+
+#include <atomic>
+
+namespace rb {
+
+/// What arrives at a place.
+struct Gathered {
+    Rgb mean{0.0f};       ///< mean radiance, weighted by the cosine; brightness and gray_threshold applied
+    double distance = 0;  ///< harmonic mean of the distances to what is seen; infinite if there is nothing
+    double nearest = 0;   ///< distance of the nearest of it
+    /// How the mean changes with the normal turned about an axis, and with the place moved in its tangent
+    /// plane (Ward and Heckbert 1992, "Irradiance Gradients").
+    Gradient rotation;
+    Gradient translation;
+};
+
+/// How places gather.
+struct GatherTask {
+    int depth = 0;  ///< diffuse surfaces between the places and the eye
+    const HemisphereGrid* grid = nullptr;
+    const IndirectLight* next = nullptr;  ///< asked by what the rays meet; null at the last bounce
+    bool gradients = false;
+};
+
+/// Gathers light at places by rays over the hemisphere.
+class RayGather {
+public:
+    /// `world` must outlive it, and have radiosity settings.
+    RayGather(const World& world, const ShadingOptions& options);
+
+    const RadiositySettings& settings() const { return *program_.world.settings.radiosity; }
+
+    /// The directions that the settings want at that depth.
+    const HemisphereGrid& grid_at(int depth) const { return grids_[static_cast<size_t>(depth)]; }
+
+    /// A few directions, for places of which many are seen by one that gathers.
+    const HemisphereGrid& coarse_grid() const { return coarse_grid_; }
+
+    /// Safe to call from many threads.
+    void gather(std::span<const IndirectPlace> places, const GatherTask& task, std::span<Gathered> out) const;
+
+    uint64_t gather_count() const { return gathers_.load(); }
+    uint64_t ray_count() const { return rays_.load(); }
+    uint64_t shadow_ray_count() const { return shadow_rays_.load(); }
+
+private:
+    struct Batch;
+    struct Cells;
+    void trace(Batch& batch, int depth, const IndirectLight* next) const;
+    Gathered summed(const Cells& cells, bool gradients) const;
+    Rgb limited(const Rgb& light) const;
+    Rgb toned(const Rgb& mean) const;
+
+    ShadingProgram program_;
+    std::vector<HemisphereGrid> grids_;  ///< by depth
+    HemisphereGrid coarse_grid_;
+    mutable std::atomic<uint64_t> gathers_{0};
+    mutable std::atomic<uint64_t> rays_{0};
+    mutable std::atomic<uint64_t> shadow_rays_{0};
+};
+
+}  // namespace rb

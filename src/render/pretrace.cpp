@@ -1,0 +1,46 @@
+#include "render/pretrace.h"
+
+#include "base/parallel.h"
+#include "base/scratch.h"
+#include "math/random.h"
+
+namespace rb {
+
+namespace {
+
+/// One row of grid cells, each seen through one place in it.
+void survey_row(const Integrator& integrator, const CameraRays& rays, int width, int row, int step,
+                const IndirectLight& collector) {
+    Scratch::Scope memory(thread_scratch());
+    const auto count = static_cast<size_t>((width + step - 1) / step);
+    const auto positions = memory.take<Vec2>(count);
+    const auto batch = memory.take<CameraRay>(count, CameraRay{});
+    const auto light = memory.take<Radiance>(count);
+    for (size_t i = 0; i < count; ++i) {
+        const uint64_t cell = mixed(static_cast<uint64_t>(row) << 32 | i, static_cast<uint64_t>(step));
+        positions[i] = {(static_cast<double>(i) + unit_random(mixed(cell, 0))) * step - 0.5,
+                        (row + unit_random(mixed(cell, 1))) * step - 0.5};
+        batch[i].seed = mixed(cell, 2);
+    }
+    rays.at(positions, batch);
+    RayCounters ignored;
+    integrator.trace(batch, light, ignored, &collector);
+}
+
+}  // namespace
+
+PictureSurvey survey_of(const Integrator& integrator, const CameraRays& rays, int width, int height,
+                        int threads) {
+    return [&integrator, &rays, width, height, threads](int step, const CachedLight* known) {
+        std::vector<std::vector<IndirectPlace>> rows(static_cast<size_t>((height + step - 1) / step));
+        parallel_for(rows.size(), threads, [&](size_t row) {
+            const PlaceCollector collector(known, rows[row]);
+            survey_row(integrator, rays, width, static_cast<int>(row), step, collector);
+        });
+        std::vector<IndirectPlace> places;
+        for (const auto& row : rows) places.insert(places.end(), row.begin(), row.end());
+        return places;
+    };
+}
+
+}  // namespace rb
