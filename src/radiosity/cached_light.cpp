@@ -11,6 +11,10 @@ namespace rb {
 
 namespace {
 
+/// The language's bounds are for records without gradients. Looser ones would save little.
+constexpr double bound_share = 0.5;
+constexpr double loosest_bound = 0.27;
+
 /// Later bounces show less of their errors.
 double looseness(int depth) { return std::ldexp(1.0, depth); }
 
@@ -26,8 +30,10 @@ std::vector<uint32_t> spread_order(size_t count) {
 
 CachedLight::CachedLight(const RayGather& rays, const Vec3& eye) : rays_(rays), eye_(eye) {
     const RadiositySettings& settings = rays.settings();
-    const double bound = settings.error_bound * settings.low_error_factor;
-    for (int depth = 0; depth < settings.recursion_limit; ++depth) caches_.emplace_back(bound);
+    const double written = settings.error_bound * settings.low_error_factor;
+    const double bound = std::min(loosest_bound, bound_share * written);
+    for (int depth = 0; depth < settings.recursion_limit; ++depth)
+        caches_.emplace_back(looseness(depth) * bound);
 }
 
 const IndirectLight* CachedLight::next(int depth) const {
@@ -97,8 +103,11 @@ IrradianceRecord CachedLight::record_of(const IndirectPlace& place, int depth,
     record.mean = gathered.mean;
     record.rotation = gathered.rotation;
     record.translation = gathered.translation;
-    record.radius =
-        std::clamp(gathered.distance, settings.minimum_reuse * scale, settings.maximum_reuse * scale);
+    // Where everything would change over a distance no record is good for more.
+    const double change = record.translation.steepness();
+    const double steady = change > 0.0 ? grey(gathered.mean) / change : gathered.distance;
+    record.radius = std::clamp(std::min(gathered.distance, steady), settings.minimum_reuse * scale,
+                               settings.maximum_reuse * scale);
     return record;
 }
 

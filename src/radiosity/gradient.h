@@ -3,6 +3,7 @@
 #include "scene/color.h"
 
 #include <array>
+#include <cmath>
 
 namespace rb {
 
@@ -21,6 +22,13 @@ struct Gradient {
                    static_cast<float>(a[static_cast<int>(j)]) * per_axis[i];
         };
         per_axis = {row(1, 2, axis), row(2, 0, axis), row(0, 1, axis)};
+    }
+    /// Largest change of the grey along any direction.
+    double steepness() const {
+        double square = 0;
+        for (const Rgb& change : per_axis)
+            square += static_cast<double>(grey(change)) * static_cast<double>(grey(change));
+        return std::sqrt(square);
     }
     Rgb along(const Vec3& way) const {
         return static_cast<float>(way.x) * per_axis[0] + static_cast<float>(way.y) * per_axis[1] +

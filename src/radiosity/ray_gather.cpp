@@ -27,6 +27,12 @@ StreamState& state_at(int depth) {
 constexpr int fewest_rays = 5;
 constexpr int most_rays = 1 << 16;
 
+/// Few rays are too few: their noise costs more time than they save, since noisy records reach less far.
+int rays_for(int count) {
+    constexpr int enough = 256;
+    return std::clamp(count, std::min(count, enough / 4) * 4, most_rays);
+}
+
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -89,7 +95,7 @@ Gradient RayGather::Cells::translation() const {
 RayGather::RayGather(const World& world, const ShadingOptions& options)
     : program_(world, options, RayPurpose::gather), coarse_grid_(fewest_rays) {
     for (int depth = 0; depth < settings().recursion_limit; ++depth) {
-        const double count = std::min(settings().count, most_rays) * std::pow(0.5, depth);
+        const double count = rays_for(settings().count) * std::pow(0.5, depth);
         grids_.emplace_back(std::max(fewest_rays, static_cast<int>(count)));
     }
 }

@@ -1,0 +1,122 @@
+// Indirect light whose value is known, by every way of finding it.
+#include "compile/world.h"
+#include "language/load.h"
+#include "render/render.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace rb {
+namespace {
+
+class ClosedForm : public testing::TestWithParam<GiMode> {
+protected:
+    Film film_of(const std::string& radiosity, const std::string& scene, int size = 32) const {
+        LoadOptions loading;
+        loading.input_file = "closed_form";
+        loading.input_text = "#version 3.7; global_settings { assumed_gamma 1.0 radiosity { " + radiosity +
+                             " } }\n#default { finish { ambient 0 diffuse 1 } }\n" + scene;
+        SourceMap sources;
+        Diagnostics diagnostics;
+        Scene read;
+        if (!load_scene(loading, sources, diagnostics, read)) {
+            for (const Diagnostic& d : diagnostics.all()) ADD_FAILURE() << format(d, sources);
+            return {};
+        }
+        const World world = compile(read, {}, diagnostics);
+        RenderOptions options;
+        options.width = options.height = size;
+        options.region = {0, 0, size, size};
+        options.gi = GetParam();
+        const std::atomic<bool> stop{false};
+        return render(world, options, stop, nullptr).film;
+    }
+
+    static double mean(const Film& film) {
+        double sum = 0;
+        for (const Radiance& pixel : film.pixels) sum += static_cast<double>(pixel.rgb.x);
+        return sum / static_cast<double>(film.pixels.size());
+    }
+};
+
+constexpr const char* fine = "count 400 error_bound 0.3 minimum_reuse 0.002 recursion_limit 1";
+
+/// The unit square at the origin, seen from above.
+const std::string above =
+    "camera { orthographic location <0.5, 0.5, -3> direction z right x up y }\n"
+    "plane { z, 0 pigment { rgb 1 } }\n";
+
+TEST_P(ClosedForm, ParallelSquares) {
+    const Film film = film_of(
+        fine, above +
+                  "polygon { 5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0> translate -z pigment { rgb 1 } "
+                  "finish { diffuse 0 emission 1 } no_image }");
+    EXPECT_NEAR(mean(film), 0.1998, 0.0015);
+}
+
+TEST_P(ClosedForm, PerpendicularSquares) {
+    const Film film =
+        film_of(fine, above +
+                          "polygon { 5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0> rotate 90*y pigment { rgb 1 } "
+                          "finish { diffuse 0 emission 1 } no_image }");
+    EXPECT_NEAR(mean(film), 0.2000, 0.003);
+}
+
+/// Diffuse light in a closed sphere is the same everywhere: a geometric series of its bounces.
+TEST_P(ClosedForm, Furnace) {
+    for (const int bounces : {1, 2, 3}) {
+        const Film film = film_of("count 20 recursion_limit " + std::to_string(bounces),
+                                  "camera { location 0 direction z right x up y }\n"
+                                  "sphere { 0, 10 pigment { rgb 0.5 } finish { emission 0.2 } }",
+                                  8);
+        const double expected = 0.2 * (1.0 - std::pow(0.5, bounces + 1));
+        for (const Radiance& pixel : film.pixels) {
+            EXPECT_NEAR(static_cast<double>(pixel.rgb.x), expected, 2e-4) << bounces << " bounces";
+        }
+    }
+}
+
+/// A black ball on a floor under a white sky: its shadow is darkest at the point of contact.
+TEST_P(ClosedForm, ContactShadow) {
+    constexpr int size = 32;
+    const std::string scene =
+        "camera { orthographic location <0, 0, -20> direction z right 8*x up 8*y } background { rgb 1 }\n"
+        "plane { z, 0 pigment { rgb 1 } }\n"
+        "sphere { -z, 1 pigment { rgb 0 } finish { diffuse 0 } no_image }\n";
+    const auto error_of = [&](const std::string& settings) {
+        const Film film = film_of("recursion_limit 1 " + settings, scene, size);
+        double square = 0;
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
+                const double r = std::hypot(x + 0.5 - size / 2, y + 0.5 - size / 2) * 8.0 / size;
+                const double expected = 1.0 - std::pow(1.0 + r * r, -1.5);
+                square += std::pow(static_cast<double>(film.at(x, y).rgb.x) - expected, 2);
+            }
+        }
+        return std::sqrt(square) / size;
+    };
+    EXPECT_LT(error_of(""), 0.02);
+    EXPECT_LT(error_of("count 400 error_bound 0.3 minimum_reuse 0.002"), 0.005);
+}
+
+/// A box without windows under a bright sky, walls as thin as paper.
+TEST_P(ClosedForm, NoLightComesThroughWalls) {
+    const Film film = film_of("recursion_limit 2",
+                              "camera { location <0, 0.5, -0.95> look_at <0, 0.3, 0> angle 90 }\n"
+                              "background { rgb 10 } light_source { <20, 40, -30>, rgb 10 }\n"
+                              "difference { box { <-1, 0, -1>, <1, 1, 1> }\n"
+                              "  box { <-0.9999, 0.0001, -0.9999>, <0.9999, 0.9999, 0.9999> }\n"
+                              "  pigment { rgb 0.9 } }\n"
+                              "box { <-0.2, 0.0001, -0.2>, <0.2, 0.4, 0.2> rotate 30*y pigment { rgb 0.9 } }",
+                              12);
+    for (const Radiance& pixel : film.pixels) EXPECT_EQ(pixel.rgb.x, 0.0f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Radiosity, ClosedForm, testing::Values(GiMode::automatic, GiMode::brute),
+                         [](const auto& i) {
+                             return i.param == GiMode::brute ? std::string("brute") : std::string("cached");
+                         });
+
+}  // namespace
+}  // namespace rb
