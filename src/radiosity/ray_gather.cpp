@@ -42,7 +42,7 @@ struct RayGather::Cells {
     const Hemisphere& hemisphere;
     std::span<const GatheredLight> light;  ///< distance 0 where nothing was sent
 
-    Gradient rotation() const;
+    Gradient rotation(const Rgb& mean) const;
     Gradient translation() const;
 
 private:
@@ -52,14 +52,14 @@ private:
     }
 };
 
-/// What the normal turns to counts more.
-Gradient RayGather::Cells::rotation() const {
+/// What the normal turns to counts more. `mean`: of the light; the same from everywhere would change nothing.
+Gradient RayGather::Cells::rotation(const Rgb& mean) const {
     constexpr double least_cosine = 0.02;
     Gradient gradient;
     for (size_t k = 0; k < light.size(); ++k) {
         const Vec3 direction = hemisphere.direction(k);
         const double cosine = std::max(glm::dot(direction, hemisphere.normal()), least_cosine);
-        gradient.add(direction / (cosine * static_cast<double>(light.size())), light[k].rgb);
+        gradient.add(direction / (cosine * static_cast<double>(light.size())), light[k].rgb - mean);
     }
     gradient.turn_about(hemisphere.normal());
     return gradient;
@@ -182,11 +182,12 @@ Gathered RayGather::summed(const Cells& cells, bool gradients) const {
         sum.nearest = std::min(sum.nearest, light.distance);
     }
     if (count == 0) return {};
-    sum.mean = toned(sum.mean / static_cast<float>(count));
+    const Rgb mean = sum.mean / static_cast<float>(count);
+    sum.mean = toned(mean);
     sum.distance = inverse_distances > 0.0 ? static_cast<double>(count) / inverse_distances : unlimited;
     // Where directions are missing nothing is known of what moves in or out.
     if (!gradients || count < cells.light.size()) return sum;
-    sum.rotation = cells.rotation();
+    sum.rotation = cells.rotation(mean);
     sum.translation = cells.translation();
     for (Gradient* gradient : {&sum.rotation, &sum.translation}) {
         for (Rgb& change : gradient->per_axis) change = toned(change);
