@@ -9,15 +9,16 @@ namespace rb {
 namespace {
 
 /// One row of grid cells, each seen through one place in it.
-void survey_row(const Integrator& integrator, const CameraRays& rays, int width, int row, int step,
-                const IndirectLight& collector) {
+void survey_row(const Integrator& integrator, const CameraRays& rays, const RenderOptions& options, int row,
+                int step, const IndirectLight& collector) {
     Scratch::Scope memory(thread_scratch());
-    const auto count = static_cast<size_t>((width + step - 1) / step);
+    const auto count = static_cast<size_t>((options.width + step - 1) / step);
     const auto positions = memory.take<Vec2>(count);
     const auto batch = memory.take<CameraRay>(count, CameraRay{});
     const auto light = memory.take<Radiance>(count);
     for (size_t i = 0; i < count; ++i) {
-        const uint64_t cell = mixed(static_cast<uint64_t>(row) << 32 | i, static_cast<uint64_t>(step));
+        const uint64_t place = mixed(options.seed, static_cast<uint64_t>(row) << 32 | i);
+        const uint64_t cell = mixed(place, static_cast<uint64_t>(step));
         positions[i] = {(static_cast<double>(i) + unit_random(mixed(cell, 0))) * step - 0.5,
                         (row + unit_random(mixed(cell, 1))) * step - 0.5};
         batch[i].seed = mixed(cell, 2);
@@ -29,13 +30,12 @@ void survey_row(const Integrator& integrator, const CameraRays& rays, int width,
 
 }  // namespace
 
-PictureSurvey survey_of(const Integrator& integrator, const CameraRays& rays, int width, int height,
-                        int threads) {
-    return [&integrator, &rays, width, height, threads](int step, const CachedLight* known) {
-        std::vector<std::vector<IndirectPlace>> rows(static_cast<size_t>((height + step - 1) / step));
-        parallel_for(rows.size(), threads, [&](size_t row) {
+PictureSurvey survey_of(const Integrator& integrator, const CameraRays& rays, const RenderOptions& options) {
+    return [&integrator, &rays, &options](int step, const CachedLight* known) {
+        std::vector<std::vector<IndirectPlace>> rows(static_cast<size_t>((options.height + step - 1) / step));
+        parallel_for(rows.size(), options.threads, [&](size_t row) {
             const PlaceCollector collector(known, rows[row]);
-            survey_row(integrator, rays, width, static_cast<int>(row), step, collector);
+            survey_row(integrator, rays, options, static_cast<int>(row), step, collector);
         });
         std::vector<IndirectPlace> places;
         for (const auto& row : rows) places.insert(places.end(), row.begin(), row.end());

@@ -1,12 +1,11 @@
 #pragma once
-#include "radiosity/radiosity.h"
 #include "render/camera_rays.h"
+#include "render/render.h"
 
 namespace rb {
 
 /// What radiosity wants to know of a whole picture before it is rendered: where diffuse surfaces are seen,
-/// also in mirrors and through glass.
-PictureSurvey survey_of(const Integrator& integrator, const CameraRays& rays, int width, int height,
-                        int threads);
+/// also in mirrors and through glass. What is referred to must outlive it.
+PictureSurvey survey_of(const Integrator& integrator, const CameraRays& rays, const RenderOptions& options);
 
 }  // namespace rb

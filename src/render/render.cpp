@@ -44,8 +44,8 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
     const IndirectLight* indirect = nullptr;
     if (ShadingProgram::has_indirect_light(world, shading)) {
         radiosity.emplace(world, shading, options.gi);
-        radiosity->prepare(survey_of(integrator, rays, options.width, options.height, options.threads),
-                           std::max(options.width, options.height), options.threads);
+        radiosity->prepare(survey_of(integrator, rays, options), std::max(options.width, options.height),
+                           options.threads);
         indirect = &radiosity->light();
     }
     const SampleDistance distance(world.settings.assumed_gamma, options.antialias.gamma);
