@@ -136,9 +136,9 @@ std::string identity_words(const Settings& settings, const AnimationFrame& frame
                                                        "display"};
         if (std::ranges::find(free, name) == free.end()) words += fmt::format("\n{}={}", name, value);
     }
-    words += fmt::format("\nseed {} area lights {} error {} of {}", settings.seed,
+    words += fmt::format("\nseed {} area lights {} error {} of {} gi {}", settings.seed,
                          static_cast<int>(settings.area_lights), settings.antialias_options.error,
-                         settings.antialias_options.max_samples);
+                         settings.antialias_options.max_samples, static_cast<int>(settings.gi));
     return words;
 }
 

@@ -48,8 +48,9 @@ void Radiosity::prepare(const PictureSurvey& survey, int longer_side, int thread
     constexpr int finest = 2;
     const double widest = rays_.settings().pretrace_start * longer_side;
     const int first = std::max(finest, static_cast<int>(widest));
-    if (rays_.settings().recursion_limit > 1)
-        learn_later_bounces(survey(std::min(first, 8), nullptr), threads);
+    // Some ten thousand places, however large the picture is.
+    const int coarse = std::max(std::min(first, 8), longer_side / 256);
+    if (rays_.settings().recursion_limit > 1) learn_later_bounces(survey(coarse, nullptr), threads);
     for (int step = first; step >= finest; step /= 2) {
         cached_->learn(survey(step, cached_.get()), 0, threads);
     }
