@@ -23,6 +23,15 @@ public:
     /// True if no shadow ray from a hit to the light can meet the hit's own surface.
     bool leaves_for_good(const LightProgram& light, const HitPoint& hit, const LightVector& to_center) const;
 
+    // What is left of light that comes along a ray, from inside of `inside`:
+
+    /// of a surface that it crosses, the fading in the interior that it leaves there included;
+    Rgb filter_of(const Hit& hit, const Ray& ray, std::span<const uint32_t> inside);
+    /// by that fading alone;
+    Rgb fade_of(const Hit& hit, std::span<const uint32_t> inside) const;
+    /// by the media of interiors.
+    Rgb media_filter(const Ray& ray, double length, std::span<const uint32_t> inside, uint64_t seed);
+
 private:
     struct Grid;
     struct GridCorner;
@@ -36,8 +45,7 @@ private:
                     const Rgb& color);
     Rgb filtered(const LightProgram& light, const HitPoint& from, RayQuery query, double distance, Rgb color,
                  const Candidates* candidates);
-    Rgb filter_of(const Hit& hit, const Ray& ray, std::span<const uint32_t> inside);
-    Rgb media_filter(const Ray& ray, double length, std::span<const uint32_t> inside, uint64_t seed);
+    bool is_left_to_photons(const Light& light, const Hit& blocker) const;
     bool are_hollow(std::span<const uint32_t> interiors) const;
     Rgb air_filter(const Ray& ray, double length, std::span<const uint32_t> inside, bool ends_on_surface,
                    uint64_t seed);

@@ -1,5 +1,6 @@
 #pragma once
 #include "shade/direct_light.h"
+#include "shade/photon_shading.h"
 #include "shade/secondary.h"
 
 namespace rb {
@@ -9,7 +10,11 @@ namespace rb {
 class SurfaceShader {
 public:
     SurfaceShader(const ShadingProgram& program, StreamState& state)
-        : program_(program), state_(state), light_(program, state), secondary_(program, state) {}
+        : program_(program),
+          state_(state),
+          light_(program, state),
+          photons_(program, state),
+          secondary_(program, state) {}
 
     /// `hits`: indices into StreamState::hits.
     void shade(const Look& look, std::span<const uint32_t> hits);
@@ -43,6 +48,7 @@ private:
     const ShadingProgram& program_;
     StreamState& state_;
     DirectLight light_;
+    PhotonShading photons_;
     SecondaryRays secondary_;
     std::span<const uint32_t> lights_;  ///< that shine on the hits at hand
 };
