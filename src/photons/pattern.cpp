@@ -90,6 +90,7 @@ bool PhotonPattern::start(uint32_t ring, uint32_t place, uint32_t sample, Photon
     }
     out.ray = ray_at(angle, turn, offset);
     out.ring = ring;
+    out.passed = 0;
     const LightVector back{-out.ray.direction, 1.0};
     const double cone = light_.cone(out.ray.at(1.0), back);
     if (cone < least_cone) return false;

@@ -7,6 +7,7 @@ namespace rb {
 /// A photon that leaves a light.
 struct PhotonStart {
     Ray ray;
+    double passed = 0;  ///< how far from the light the ray begins
     Rgb color{0.0f};
     uint32_t ring = 0;
 };

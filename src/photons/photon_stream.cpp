@@ -1,7 +1,6 @@
 #include "photons/photon_stream.h"
 
 #include "math/random.h"
-#include "shade/media_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +41,7 @@ void PhotonStream::start(std::span<const PhotonStart> photons, uint64_t seed) {
         ray.weight = photon.color;
         ray.inside = inside;
         ray.seed = mixed(seed, state_.rays.size());
-        paths_.push_back({0.0, photon.ring, false});
+        paths_.push_back({photon.passed, photon.ring, false});
     }
 }
 
@@ -120,15 +119,11 @@ void PhotonStream::leave_in_media(uint32_t index, double length, PhotonHarvest& 
     const double count =
         std::min(std::floor(wanted + unit_random(seed)), static_cast<double>(settings.media_steps));
     const double longer = std::max(1.0, wanted / static_cast<double>(settings.media_steps));
-    Rgb color = ray.weight;
-    double passed = 0;
+    // Measured: what the media take of the photon shows at the end of its way only.
     for (uint64_t i = 0; static_cast<double>(i) < count; ++i) {
         const double place = length * (static_cast<double>(i) + unit_random(mixed(seed, i))) / count;
-        const Ray rest{ray.ray.at(passed), ray.ray.direction};
-        color *= MediaPath(mix_, rest, mixed(seed, ~i), nullptr).attenuation(place - passed);
-        passed = place;
         const double weight = settings.media_factor * width_at(start + place) * longer;
-        harvest.in_media.push_back(deposit(ray, color * static_cast<float>(weight), ray.ray.at(place),
+        harvest.in_media.push_back(deposit(ray, ray.weight * static_cast<float>(weight), ray.ray.at(place),
                                            start + place, paths_[index].ring));
     }
 }

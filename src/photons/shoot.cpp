@@ -74,6 +74,25 @@ double spacing_of(const ShadingProgram& program, const std::vector<Pair>& pairs)
     return std::sqrt(estimated_count(program, pairs, 1.0) / settings.count);
 }
 
+/// Moves a photon to where it leaves what its light is projected through, the last time; false if it misses
+/// that.
+bool project(const Geometry& object, PhotonStart& start) {
+    RayQuery query;
+    query.ray = start.ray;
+    query.mask = seen_by_trace;
+    Hit hit;
+    while (object.closest(query, hit)) {
+        start.passed += hit.t;
+        start.ray.origin = hit.point;
+        query.ray.origin = hit.point;
+        query.origin_leaf = hit.leaf;
+        query.origin_part = hit.crossing.part;
+        query.origin_member = hit.crossing.member;
+        query.origin_error = hit.error;
+    }
+    return start.passed > 0.0;
+}
+
 /// Shoots from one light at one target.
 class Volley {
 public:
@@ -132,7 +151,9 @@ private:
         PhotonStart start;
         for (uint32_t place = part.first; place < part.first + part.count; ++place) {
             for (uint32_t sample = 0; sample < pattern_.sample_count(); ++sample) {
-                if (pattern_.start(part.ring, place, sample, start)) starts.push_back(start);
+                if (!pattern_.start(part.ring, place, sample, start)) continue;
+                const Geometry* object = light_.projected_through();
+                if (!object || project(*object, start)) starts.push_back(start);
             }
         }
         PhotonStream(program_, state, mission_, inside_)
