@@ -116,8 +116,7 @@ void PhotonStream::leave_in_media(uint32_t index, double length, PhotonHarvest& 
     const double step = settings.media_factor * width_at(start);
     const uint64_t seed = mixed(ray.seed, purpose_media);
     const double wanted = length / step;
-    const double count =
-        std::min(std::floor(wanted + unit_random(seed)), static_cast<double>(settings.media_steps));
+    const double count = std::min(std::floor(wanted), static_cast<double>(settings.media_steps));
     const double longer = std::max(1.0, wanted / static_cast<double>(settings.media_steps));
     // Measured: what the media take of the photon shows at the end of its way only.
     for (uint64_t i = 0; static_cast<double>(i) < count; ++i) {

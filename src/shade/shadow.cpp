@@ -235,14 +235,6 @@ Rgb ShadowTracer::filter_of(const Hit& hit, const Ray& ray, std::span<const uint
     return filter * fade_of(hit, inside);
 }
 
-Rgb ShadowTracer::fade_of(const Hit& hit, std::span<const uint32_t> inside) const {
-    const uint32_t own = program_.surface_of(hit).interior;
-    const Interior& interior = program_.world.interiors[own].interior;
-    const bool fades = interior.fade_power > 0.0 && std::abs(interior.fade_distance) > 1e-10;
-    const bool leaves = fades && std::find(inside.begin(), inside.end(), own) != inside.end();
-    return leaves ? interior_fade(interior, hit.t) : Rgb(1.0f);
-}
-
 Rgb ShadowTracer::surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction) {
     const bool from_inside = glm::dot(hit.normal, direction) > 0.0;
     const Look& look = program_.looks[from_inside ? surface.interior_look : surface.look];
