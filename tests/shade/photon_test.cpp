@@ -138,6 +138,28 @@ TEST(Photons, SwitchesOfBothSides) {
     expect_counts(s, 962, 0);
 }
 
+/// The ball is another object.
+void expect_counts_at(std::string_view geometry, uint64_t shot, uint64_t stored) {
+    BallScene s;
+    s.light_up();
+    s.ball->photons.target = 0;
+    s.ball->world_from_object = Transform::translation({0, 1e6, 0});
+    Interior glass;
+    glass.ior = 1.3;
+    s.add(geometry, {plain({0, 0, 0, 0, 1}, dark_finish())}, glass);
+    SCOPED_TRACE(geometry);
+    expect_counts(s, shot, stored);
+}
+
+TEST(Photons, TargetsAmongCompounds) {
+    expect_counts_at("union{sphere{-2*x,1} sphere{2*x,1} photons{target}}", 832, 1388);
+    expect_counts_at("union{sphere{-2*x,1 photons{target 2}} sphere{2*x,1} photons{target}}", 832, 1388);
+    expect_counts_at("union{sphere{-2*x,1} sphere{2*x,1} photons{target} split_union off}", 2917, 1240);
+    expect_counts_at("union{sphere{-2*x,1 photons{target 2}} sphere{2*x,1} split_union off}", 133, 190);
+    expect_counts_at("difference{sphere{0,1} sphere{<0,.5,0>,.6} photons{target}}", 416, 832);
+    expect_counts_at("difference{sphere{0,1 photons{target}} sphere{<0,.5,0>,.6}}", 416, 704);
+}
+
 TEST(Photons, LevelsEndTheWay) {
     BallScene s;
     s.light_up();
