@@ -60,8 +60,7 @@ GatheredPhotons look_at(const PhotonMap& map, const PhotonMetric& metric, const 
     const auto nearest = scratch.take<FoundPhoton>(memory.size() + 1);
     const Found found = gather(map, metric, rule, nearest);
     for (size_t i = 0; i < found.count; ++i) {
-        const Photon& photon = map[nearest[i].index];
-        memory[i] = {photon.color, photon.origin.unpacked()};
+        memory[i] = {map.color(nearest[i].index), map.origin(nearest[i].index)};
     }
     return {memory.first(found.count), extent_of(found.radius, in_space)};
 }
@@ -91,8 +90,8 @@ double automatic_radius(const PhotonMap& map, size_t max, bool in_space) {
     const auto nearest = memory.take<FoundPhoton>(std::min(max, map.size()) + 1);
     const size_t most = nearest.size() - 1;
     const auto at = [&](size_t test) {
-        const Photon& photon = map[mixed(seed, test) % map.size()];
-        return PhotonMetric{{photon.place[0], photon.place[1], photon.place[2]}};
+        const auto& place = map.place(mixed(seed, test) % map.size());
+        return PhotonMetric{{place[0], place[1], place[2]}};
     };
     double density = 0;
     for (size_t i = 0; i < tests; ++i) {

@@ -65,7 +65,7 @@ TEST(PhotonMap, KeepsEveryPhoton) {
     std::vector<std::array<float, 3>> after;
     for (size_t i = 0; i < photons.size(); ++i) {
         before.push_back(photons[i].place);
-        after.push_back(map[i].place);
+        after.push_back(map.place(i));
     }
     std::ranges::sort(before);
     std::ranges::sort(after);

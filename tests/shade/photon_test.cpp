@@ -204,8 +204,8 @@ TEST(Photons, ThreadsDoNotMatter) {
     ASSERT_GT(a.size(), 10000u);
     ASSERT_EQ(a.size(), b.size());
     for (size_t i = 0; i < a.size(); ++i) {
-        ASSERT_EQ(a[i].place, b[i].place);
-        ASSERT_EQ(a[i].color, b[i].color);
+        ASSERT_EQ(a.place(i), b.place(i));
+        ASSERT_EQ(a.color(i), b.color(i));
     }
 }
 
