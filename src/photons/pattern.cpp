@@ -38,7 +38,7 @@ PhotonPattern::PhotonPattern(const LightProgram& light, const PhotonTarget& targ
     const double radius = ends ? 0.5 * glm::length(target.box.size()) : 2e10;
     const double distance = glm::length(center_ - light.light().location);
     const bool from_area = light.light().is_area && light.light().photons.from_area;
-    if (from_area) samples_ = light.sample_count();
+    if (from_area) samples_ = light.grid_count();
     spread_ = spacing * std::sqrt(static_cast<double>(samples_));
     if (light.is_directed()) {
         step_ = spread_;
@@ -80,14 +80,7 @@ bool PhotonPattern::start(uint32_t ring, uint32_t place, uint32_t sample, Photon
         angle += step_ * (draw(own_seed, purpose_angle) - 0.5) * jitter_;
     }
     Vec3 offset{0.0};
-    if (samples_ > 1) {
-        Scratch::Scope memory(thread_scratch());
-        const Vec3 to_light = glm::normalize(light_.light().location - center_);
-        const AreaSampler sampler(light_, 0, mixed(ring_seed, purpose_area + (uint64_t{place} << 8)),
-                                  to_light, 0, memory);
-        const auto width = static_cast<uint32_t>(light_.light().area.size1);
-        offset = sampler.offset(static_cast<int>(sample % width), static_cast<int>(sample / width));
-    }
+    if (samples_ > 1) offset = place_on_area(sample, mixed(mixed(ring_seed, purpose_area), place));
     out.ray = ray_at(angle, turn, offset);
     out.ring = ring;
     out.passed = 0;
@@ -96,6 +89,15 @@ bool PhotonPattern::start(uint32_t ring, uint32_t place, uint32_t sample, Photon
     if (cone < least_cone) return false;
     out.color = light_.color() * static_cast<float>(cone / samples_);
     return true;
+}
+
+/// With `jitter` the cells of the grid share the samples evenly.
+Vec3 PhotonPattern::place_on_area(uint32_t sample, uint64_t seed) const {
+    const AreaGrid& grid = light_.light().area;
+    const AreaSampler sampler(light_, seed, glm::normalize(light_.light().location - center_));
+    if (grid.jitter) return sampler.even_place(sample);
+    const auto width = static_cast<uint32_t>(grid.size1);
+    return sampler.grid_place(static_cast<int>(sample % width), static_cast<int>(sample / width));
 }
 
 Ray PhotonPattern::ray_at(double angle, double turn, const Vec3& offset) const {

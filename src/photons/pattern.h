@@ -37,6 +37,7 @@ public:
 
 private:
     double turn_step(uint32_t ring) const;  ///< between places of a ring, radians
+    Vec3 place_on_area(uint32_t sample, uint64_t seed) const;
     Ray ray_at(double angle, double turn, const Vec3& offset) const;
 
     const LightProgram& light_;

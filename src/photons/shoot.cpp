@@ -191,14 +191,14 @@ private:
     bool has_hit_ = false;
 };
 
-StoredPhotons shoot(const ShadingProgram& program, int threads, const std::atomic<bool>& stop,
+StoredPhotons shoot(const ShadingProgram& program, int threads, uint64_t seed, const std::atomic<bool>& stop,
                     PhotonCounters& counters) {
     const std::vector<Pair> pairs = pairs_of(program);
     const double spacing = spacing_of(program, pairs);
     std::vector<Volley> volleys;
     double expected = 0;
     for (size_t i = 0; i < pairs.size(); ++i) {
-        volleys.emplace_back(program, pairs[i], spacing, mixed(0x73686F6F74, i));
+        volleys.emplace_back(program, pairs[i], spacing, mixed(seed, 0x73686F6F74 + i));
         expected += volleys.back().start_count();
     }
     if (!pairs.empty() && !(spacing > 0.0 && expected < most_photons)) {
@@ -213,7 +213,7 @@ StoredPhotons shoot(const ShadingProgram& program, int threads, const std::atomi
 
 }  // namespace
 
-std::shared_ptr<const PhotonMaps> photon_light(const ShadingProgram& program, int threads,
+std::shared_ptr<const PhotonMaps> photon_light(const ShadingProgram& program, int threads, uint64_t seed,
                                                const std::atomic<bool>& stop, PhotonCounters& counters) {
     const PhotonSettings& settings = *program.world.settings.photons;
     const auto check = [&](const std::string& problem) {
@@ -223,7 +223,7 @@ std::shared_ptr<const PhotonMaps> photon_light(const ShadingProgram& program, in
     if (!settings.load_file.empty()) {
         check(read_photons(settings.load_file, photons));
     } else {
-        photons = shoot(program, threads, stop, counters);
+        photons = shoot(program, threads, seed, stop, counters);
     }
     if (stop.load(std::memory_order_relaxed)) return nullptr;
     if (!settings.save_file.empty()) check(write_photons(settings.save_file, photons));

@@ -42,7 +42,8 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
 
     Integrator integrator(world, options.shading);
     if (world.settings.photons && options.shading.quality >= 9) {
-        integrator.show(photon_light(integrator.program(), options.threads, stop, result.photons));
+        integrator.show(
+            photon_light(integrator.program(), options.threads, options.seed, stop, result.photons));
     }
     const PatternSettings patterns{world.settings.noise_generator, world.settings.number_of_waves};
     const CameraRays rays(world.camera, patterns, options.width, options.height);

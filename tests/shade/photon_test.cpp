@@ -46,7 +46,7 @@ Shot shoot(const SceneMaker& maker, int threads = 1) {
     const ShadingProgram program(world, {});
     const std::atomic<bool> stop{false};
     Shot shot;
-    shot.maps = photon_light(program, threads, stop, shot.counters);
+    shot.maps = photon_light(program, threads, 0, stop, shot.counters);
     return shot;
 }
 
