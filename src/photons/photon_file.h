@@ -10,6 +10,8 @@ namespace rb {
 struct StoredPhotons {
     std::vector<Photon> on_surfaces;
     std::vector<Photon> in_media;
+
+    size_t size() const { return on_surfaces.size() + in_media.size(); }
 };
 
 /// Files of POV-Ray 3.7's format (measured): for either kind the number of photons, then 20 bytes for each:

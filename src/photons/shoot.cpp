@@ -17,8 +17,10 @@ namespace {
 /// Photons that travel together.
 constexpr size_t stream_size = 512;
 
-/// More would take days and more memory than there is.
+/// More would take days.
 constexpr double most_photons = 4e9;
+/// More would take more memory than most machines have.
+constexpr size_t most_stored = 100'000'000;
 
 /// A light and what it shoots photons at.
 struct Pair {
@@ -122,6 +124,7 @@ public:
                 keep(harvest.on_surfaces, end, photons.on_surfaces);
                 keep(harvest.in_media, end, photons.in_media);
             }
+            if (photons.size() > most_stored) return;
             for (const RingPart& part : parts)
                 counters.shot += part.ring < end ? uint64_t{part.count} * pattern_.sample_count() : 0;
             if (end < ring) return;
@@ -208,6 +211,11 @@ StoredPhotons shoot(const ShadingProgram& program, int threads, uint64_t seed, c
     }
     StoredPhotons photons;
     for (Volley& volley : volleys) volley.shoot(threads, stop, photons, counters);
+    if (photons.size() > most_stored) {
+        throw SceneError(program.world.settings.photons->where,
+                         fmt::format("A spacing of {:.6g} brings more than {} photons, which is too many.",
+                                     spacing, most_stored));
+    }
     return photons;
 }
 
