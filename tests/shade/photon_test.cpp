@@ -138,8 +138,8 @@ TEST(Photons, SwitchesOfBothSides) {
     expect_counts(s, 962, 0);
 }
 
-/// The ball is another object.
-void expect_counts_at(std::string_view geometry, uint64_t shot, uint64_t stored) {
+/// The ball is another object. `margin`: where jitter decides about photons at its edges.
+void expect_counts_at(std::string_view geometry, uint64_t shot, uint64_t stored, uint64_t margin = 0) {
     BallScene s;
     s.light_up();
     s.ball->photons.target = 0;
@@ -148,13 +148,16 @@ void expect_counts_at(std::string_view geometry, uint64_t shot, uint64_t stored)
     glass.ior = 1.3;
     s.add(geometry, {plain({0, 0, 0, 0, 1}, dark_finish())}, glass);
     SCOPED_TRACE(geometry);
-    expect_counts(s, shot, stored);
+    const Shot done = shoot(s);
+    EXPECT_EQ(done.counters.shot, shot);
+    EXPECT_NEAR(static_cast<double>(done.counters.on_surfaces), static_cast<double>(stored),
+                static_cast<double>(margin));
 }
 
 TEST(Photons, TargetsAmongCompounds) {
     expect_counts_at("union{sphere{-2*x,1} sphere{2*x,1} photons{target}}", 832, 1388);
     expect_counts_at("union{sphere{-2*x,1 photons{target 2}} sphere{2*x,1} photons{target}}", 832, 1388);
-    expect_counts_at("union{sphere{-2*x,1} sphere{2*x,1} photons{target} split_union off}", 2917, 1240);
+    expect_counts_at("union{sphere{-2*x,1} sphere{2*x,1} photons{target} split_union off}", 2917, 1240, 6);
     expect_counts_at("union{sphere{-2*x,1 photons{target 2}} sphere{2*x,1} split_union off}", 133, 190);
     expect_counts_at("difference{sphere{0,1} sphere{<0,.5,0>,.6} photons{target}}", 416, 832);
     expect_counts_at("difference{sphere{0,1 photons{target}} sphere{<0,.5,0>,.6}}", 416, 704);
