@@ -331,7 +331,7 @@ void dump_settings(Dumper& d, const Scene& scene) {
     d.number(1, "number_of_waves", s.number_of_waves, 10);
     d.flag(1, "radiosity", s.wants_radiosity);
     d.flag(1, "photons", s.wants_photons);
-    d.flag(1, "subsurface", s.wants_subsurface);
+    d.flag(1, "subsurface", s.subsurface.has_value());
 }
 
 }  // namespace

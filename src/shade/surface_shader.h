@@ -1,6 +1,7 @@
 #pragma once
 #include "shade/direct_light.h"
 #include "shade/secondary.h"
+#include "shade/subsurface.h"
 
 namespace rb {
 
@@ -9,7 +10,11 @@ namespace rb {
 class SurfaceShader {
 public:
     SurfaceShader(const ShadingProgram& program, StreamState& state)
-        : program_(program), state_(state), light_(program, state), secondary_(program, state) {}
+        : program_(program),
+          state_(state),
+          light_(program, state),
+          subsurface_(program, state),
+          secondary_(program, state) {}
 
     /// `hits`: indices into StreamState::hits.
     void shade(const Look& look, std::span<const uint32_t> hits);
@@ -38,11 +43,13 @@ private:
     MirrorRecord mirror_of(const LayerProgram& layer, const LitRow& lit, float through, float share) const;
     static Rgb kept(const LayerProgram& layer, const MirrorRecord& mirror);
     void send_on(const TextureProgram& texture, const Rows& rows, const LayerStack& stack);
+    void go_straight_through(const LayerProgram& layer, const LitRow& lit, const Rgb& weight);
     Rgb own_light(const LayerProgram& layer, const LitRow& lit) const;
 
     const ShadingProgram& program_;
     StreamState& state_;
     DirectLight light_;
+    SubsurfaceLight subsurface_;
     SecondaryRays secondary_;
     std::span<const uint32_t> lights_;  ///< that shine on the hits at hand
 };
