@@ -17,6 +17,9 @@ enum SurfaceMask : uint8_t {
     filters_light = 8,       ///< lets some light through: shadow rays need its texture
     seen_by_gather = 16,     ///< radiosity rays (not no_radiosity)
     seen_by_trace = 32,      ///< the language's trace(): every surface
+    /// Photons from a light and those that were only refracted (neither no_shadow nor no_image).
+    seen_by_photons = 64,
+    seen_by_mirrored_photons = 128,  ///< the others (neither no_shadow nor no_reflection)
 };
 
 /// Which lights shine on a surface: those of one light_group, the global ones, or both.
@@ -27,6 +30,27 @@ struct LightChoice {
     friend bool operator==(const LightChoice&, const LightChoice&) = default;
 };
 
+constexpr uint32_t no_target = std::numeric_limits<uint32_t>::max();
+
+/// What photons do at a surface.
+struct PhotonRole {
+    uint32_t target = no_target;  ///< index into World::photon_targets
+    PhotonWays ways;
+    bool collect = true;
+    bool pass_through = false;
+
+    friend bool operator==(const PhotonRole&, const PhotonRole&) = default;
+};
+
+/// An object that photons are shot at.
+struct PhotonTarget {
+    Bounds box;  ///< of its surfaces
+    float spacing_factor = 1;
+    PhotonWays ways;
+    bool collect = true;
+    bool global_lights = true;  ///< they shine on it
+};
+
 /// What a surface wears, resolved after CSG inheritance; shared by all leaves that look alike.
 struct Surface {
     WornTexture texture;  ///< never null: the default texture stands in
@@ -35,6 +59,7 @@ struct Surface {
     bool uv_mapping = false;
     bool double_illuminate = false;
     LightChoice lights;
+    PhotonRole photons;
     /// In a Compound: the texture does not move with its copies (uv_mapping).
     bool texture_stays = false;
     bool interior_texture_stays = false;
@@ -119,6 +144,7 @@ struct World {
     std::vector<WorldLight> lights;
     /// Indices into `lights`; of the first, which stands for none, there are no lights.
     std::vector<std::vector<uint32_t>> light_groups{1};
+    std::vector<PhotonTarget> photon_targets;  ///< empty without GlobalSettings::photons
     std::optional<Color> background;
     std::optional<SkySphere> sky_sphere;
     std::vector<Fog> fogs;

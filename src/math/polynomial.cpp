@@ -1,6 +1,7 @@
 // Roots of polynomials of any degree; roots.cpp has the fast ones of low degree. See solve_polynomial() in
 // roots.h.
 #include "math/bernstein.h"
+#include "math/quick_roots.h"
 #include "math/roots.h"
 #include "math/twofold.h"
 
@@ -333,7 +334,34 @@ Powers scaled(std::span<const double> c, double sign, int exponent) {
     return out;
 }
 
+template <size_t N>
+int try_solve(const double* c, double lo, double hi, std::span<double> roots) {
+    std::array<double, N + 1> own;
+    std::copy_n(c, N + 1, own.begin());
+    const auto count = quick_roots_between<N>(own, lo, hi, roots.first<N>());
+    return count ? static_cast<int>(*count) : -1;
+}
+
 }  // namespace
+
+int try_solve_polynomial(std::span<const double> c, double lo, double hi, std::span<double> roots) {
+    constexpr double far = 1e3;  // there the powers cancel
+    if (!(lo < hi && lo > -far && hi < far)) return -1;
+    switch (c.size()) {
+        case 3:
+            return try_solve<2>(c.data(), lo, hi, roots);
+        case 4:
+            return try_solve<3>(c.data(), lo, hi, roots);
+        case 5:
+            return try_solve<4>(c.data(), lo, hi, roots);
+        case 6:
+            return try_solve<5>(c.data(), lo, hi, roots);
+        case 7:
+            return try_solve<6>(c.data(), lo, hi, roots);
+        default:
+            return -1;
+    }
+}
 
 int solve_polynomial(std::span<const double> c, double lo, double hi, std::span<double> roots) {
     if (lo < hi && misses(c, lo, hi)) return 0;

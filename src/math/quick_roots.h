@@ -18,12 +18,13 @@ class QuickRoots {
 public:
     using Coefficients = std::array<double, N + 1>;
 
-    explicit QuickRoots(const Coefficients& c) : c_(c) {
+    /// `error`: what the coefficients' own errors may change of a value in [0, 1].
+    explicit QuickRoots(const Coefficients& c, double error = 0.0) : c_(c) {
         double magnitude = 0.0;
 #pragma GCC unroll 16
         for (size_t i = 0; i <= N; ++i) magnitude += std::abs(c[i]);
         constexpr double unit_rounding = 0x1p-53;
-        margin_ = 8.0 * static_cast<double>(N + 5) * unit_rounding * magnitude;
+        margin_ = 8.0 * static_cast<double>(N + 5) * unit_rounding * magnitude + error;
     }
 
     /// Writes them in ascending order and returns their number; empty where double precision or a few
@@ -60,5 +61,49 @@ private:
     const Coefficients& c_;
     double margin_;  ///< of the coefficients' rounding
 };
+
+/// To the last bits of the coefficients, from a place very near a simple root.
+template <size_t N>
+double polished(const std::array<double, N + 1>& c, double t) {
+    constexpr int most = 3;
+    for (int i = 0; i < most; ++i) {
+        const Value<N> v = value_at<N>(c, t);
+        const double step = v.f / v.slope;
+        t -= step;
+        if (std::abs(step) <= 0x1p-40 * std::abs(t)) break;
+    }
+    return t;
+}
+
+/// The same in [lo, hi], both finite; empty if 0 is a root.
+template <size_t N>
+std::optional<size_t> quick_roots_between(const std::array<double, N + 1>& c, double lo, double hi,
+                                          std::span<double, N> roots) {
+    if (c[N] == 0.0) return std::nullopt;
+    const double reach = std::fmax(std::abs(lo), std::abs(hi));
+    const double width = hi - lo;
+    // By synthetic division the polynomial of u, t = lo + width u.
+    std::array<double, N + 1> moved = c;
+    double magnitude = std::abs(c[0]);
+#pragma GCC unroll 16
+    for (size_t i = 1; i <= N; ++i) magnitude = magnitude * reach + std::abs(c[i]);
+#pragma GCC unroll 16
+    for (size_t last = N; last > 0; --last) {
+#pragma GCC unroll 16
+        for (size_t i = 1; i <= last; ++i) moved[i] += moved[i - 1] * lo;
+    }
+    double power = 1.0;
+    for (size_t i = N + 1; i-- > 0; power *= width) moved[i] *= power;
+    constexpr double rounding = 0x1p-53 * static_cast<double>(4 * N * N);
+    const auto count = QuickRoots<N>(moved, rounding * magnitude).search(roots);
+    if (!count) return std::nullopt;
+    for (size_t k = 0; k < *count; ++k) {
+        const double t = lo + width * roots[k];
+        roots[k] = polished<N>(c, t);
+        constexpr double small = 1e-6;
+        if (!(std::abs(roots[k] - t) <= small * width)) return std::nullopt;
+    }
+    return count;
+}
 
 }  // namespace rb

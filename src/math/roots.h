@@ -29,6 +29,10 @@ int solve_quartic(const std::array<double, 5>& c, double lo, double hi, std::spa
 constexpr size_t most_degree = 36;
 int solve_polynomial(std::span<const double> c, double lo, double hi, std::span<double> roots);
 
+/// The same for polynomials up to degree 6, quickly; -1 where double precision or a few halvings of the
+/// interval cannot tell.
+int try_solve_polynomial(std::span<const double> c, double lo, double hi, std::span<double> roots);
+
 /// True if the polynomial changes its sign within [lo, hi]: as the above, without asking where.
 bool changes_sign(const std::array<double, 4>& c, double lo, double hi);
 bool changes_sign(const std::array<double, 5>& c, double lo, double hi);

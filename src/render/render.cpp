@@ -40,7 +40,11 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
     result.film.height = options.height;
     result.film.pixels.resize(static_cast<size_t>(options.width) * static_cast<size_t>(options.height));
 
-    const Integrator integrator(world, options.shading);
+    Integrator integrator(world, options.shading);
+    if (world.settings.photons && options.shading.quality >= 9) {
+        integrator.show(
+            photon_light(integrator.program(), options.threads, options.seed, stop, result.photons));
+    }
     const PatternSettings patterns{world.settings.noise_generator, world.settings.number_of_waves};
     const CameraRays rays(world.camera, patterns, options.width, options.height);
     const Lens lens(world.camera, patterns);

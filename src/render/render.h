@@ -1,5 +1,6 @@
 #pragma once
 #include "base/huge_pages.h"
+#include "photons/shoot.h"
 #include "render/antialias.h"
 
 #include <atomic>
@@ -37,6 +38,7 @@ struct RenderOptions {
 struct RenderResult {
     Film film;
     RayCounters counters;
+    PhotonCounters photons;
     bool complete = true;  ///< false if `stop` ended it early; finished blocks are in the film
 };
 

@@ -26,7 +26,7 @@ struct GlobalSettings {
     int number_of_waves = 10;
     double mm_per_unit = 10;
     bool wants_radiosity = false;
-    bool wants_photons = false;
+    std::optional<PhotonSettings> photons;  ///< absent: there are none
     std::optional<SubsurfaceSettings> subsurface;
 };
 

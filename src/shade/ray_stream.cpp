@@ -35,6 +35,7 @@ void RayStream::start(std::span<const CameraRay> rays) {
     state_.slots.assign(rays.size(), LightSlot{});
     state_.blockers.assign(program_.sample_count, no_leaf);
     state_.counters = {};
+    state_.limits = {program_.world.settings.max_trace_level, program_.world.settings.adc_bailout};
     const MeshCamera* mesh = program_.world.camera.mesh.get();
     state_.reach = mesh && mesh->max_distance > 0.0 ? std::nextafter(mesh->max_distance, 0.0) : unlimited;
     if (!(1.0f >= program_.world.settings.adc_bailout)) return;
@@ -160,6 +161,7 @@ void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgr
     kept.uv_mapping = surface.uv_mapping;
     kept.double_illuminate = surface.double_illuminate;
     kept.from_inside = from_inside;
+    kept.collects_photons = surface.photons.collect;
     if (!surface.needs_uv) return;
     if (state_.uv.size() <= index) state_.uv.resize(index + 1);
     state_.uv[index] = program_.geometry.uv(hit);

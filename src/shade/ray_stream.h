@@ -11,17 +11,22 @@ public:
 
     void trace(std::span<const CameraRay> rays, std::span<Radiance> out);
 
+protected:
+    void add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgram& surface, const Rgb& weight,
+                   float alpha);
+    void shade_hits();
+
+    const ShadingProgram& program_;
+    StreamState& state_;
+
 private:
     void start(std::span<const CameraRay> rays);
     void run_wave();
     void intersect();
     const Candidates* candidates(std::span<const PathRay> rays);
     void add_hit(uint32_t ray_index, const Hit& hit);
-    void add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgram& surface, const Rgb& weight,
-                   float alpha);
     std::span<const uint32_t> group_hits(Scratch::Scope& memory);
     void shade_sky(std::span<const uint32_t> misses);
-    void shade_hits();
     void fill_samples();
     void pass(const PathRay& ray, const AirEffect& effect, Rgb& weight, float& alpha);
     std::span<const uint32_t> lights_on(const Hit& hit) const;
@@ -31,8 +36,6 @@ private:
                     float& alpha);
     void finish(std::span<const CameraRay> rays, std::span<Radiance> out);
 
-    const ShadingProgram& program_;
-    StreamState& state_;
     MediaTracer media_;
     Candidates candidates_;            ///< of the rays at hand
     std::vector<SurfaceWeight> worn_;  ///< of the hit at hand

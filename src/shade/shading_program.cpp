@@ -54,6 +54,7 @@ void ShadingProgram::add_surfaces() {
         program.interior_look =
             surface.interior_texture ? compiled(*surface.interior_texture, lit_by) : program.look;
         program.interior = surface.interior;
+        program.photons = surface.photons;
         program.uv_mapping = surface.uv_mapping;
         program.double_illuminate = surface.double_illuminate;
         const bool asked = textures[looks[program.look].texture].needs_surface ||

@@ -4,6 +4,7 @@
 #include "shade/integrator.h"
 #include "shade/light_program.h"
 #include "shade/media_program.h"
+#include "shade/photon_light.h"
 #include "shade/rainbow.h"
 #include "shade/sky.h"
 #include "shade/texture_program.h"
@@ -25,6 +26,7 @@ struct SurfaceProgram {
     bool uv_mapping = false;
     bool double_illuminate = false;
     bool needs_uv = false;  ///< of either look
+    PhotonRole photons;
 };
 
 /// A world compiled for shading; immutable while rendering.
@@ -50,6 +52,7 @@ struct ShadingProgram {
     FogProgram fog;
     RainbowProgram rainbow;
     MediaProgram media;
+    std::shared_ptr<const PhotonLight> photons;  ///< null until there are any
 
     uint8_t shadow_mask = 0;  ///< which kinds of leaves shadow rays can meet at all
     bool tracks_interiors = false;
@@ -62,6 +65,8 @@ struct ShadingProgram {
     const SurfaceProgram& surface_of(const Hit& hit) const {
         return surfaces[geometry.surface_of(hit.leaf, hit.crossing.member)];
     }
+
+    bool shows_photons() const { return photons && photons->on_surfaces(); }
 
     /// The list of the lights that shine where a surface is.
     static uint32_t list_of(const LightChoice& lights) { return 2 * lights.group + (lights.global ? 0 : 1); }

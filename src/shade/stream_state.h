@@ -72,6 +72,7 @@ struct HitPoint {
     bool uv_mapping = false;
     bool double_illuminate = false;
     bool from_inside = false;  ///< the normal was turned
+    bool collects_photons = true;
 };
 
 /// Light added up for a pixel, or for a mirror whose light is raised to a power before it counts.
@@ -86,6 +87,18 @@ struct PowerSlot {
     float power = 1;
 };
 
+/// How far rays are followed.
+struct RayLimits {
+    int max_trace_level = 5;
+    float adc_bailout = 1.0f / 255.0f;
+};
+
+/// Where photons may go from a hit.
+struct PhotonPermit {
+    bool refraction = false;
+    bool reflection = false;
+};
+
 /// The working state of one Integrator::trace call.
 struct StreamState {
     std::vector<PathRay> rays;
@@ -98,6 +111,11 @@ struct StreamState {
     std::vector<uint32_t> look_counts;  ///< all 0 between waves
     std::vector<uint32_t> blockers;     ///< per light sample, the leaf that blocked it last
     RayCounters counters;
+    RayLimits limits;
+
+    /// The rays come from lights: their weight is the light that they bring, and what they meet is not lit.
+    bool carries_photons = false;
+    std::vector<PhotonPermit> permits;  ///< of the hits, with `carries_photons`
 
     // Surface samples of the hits, for patterns that ask.
     std::vector<Vec3> points;
@@ -128,6 +146,9 @@ struct StreamState {
     }
 
     const PathRay& ray_of(const HitPoint& hit) const { return rays[hit.ray]; }
+
+    bool may_refract(uint32_t hit) const { return !carries_photons || permits[hit].refraction; }
+    bool may_reflect(uint32_t hit) const { return !carries_photons || permits[hit].reflection; }
 };
 
 }  // namespace rb

@@ -54,7 +54,7 @@ void SurfaceShader::shade_rows(const TextureProgram& texture, const Rows& rows, 
                                ShadowMemory& memory) {
     if (texture.is_patterned()) {
         shade_children(texture, rows, enclosing, memory);
-    } else if (texture.layers.size() == 1 && program_.world.settings.adc_bailout < 1.0f) {
+    } else if (texture.layers.size() == 1 && state_.limits.adc_bailout < 1.0f) {
         shade_single(texture.layers.front(), rows, enclosing, memory);
     } else {
         shade_layers(texture, rows, enclosing, memory);
@@ -125,7 +125,7 @@ void SurfaceShader::shade_layers(const TextureProgram& texture, const Rows& rows
     for (const LayerProgram& layer : texture.layers) {
         size_t active_count = 0;
         for (size_t i = 0; i < count; ++i) {
-            if (stack.through[i] > program_.world.settings.adc_bailout) {
+            if (stack.through[i] > state_.limits.adc_bailout) {
                 active[active_count++] = static_cast<uint32_t>(i);
             }
         }
@@ -192,9 +192,11 @@ SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, co
         }
         row.light = Rgb(0.0f);
     }
-    if (finish.takes_light && program_.options.quality > 1)
+    if (finish.takes_light && program_.options.quality > 1 && !state_.carries_photons) {
         light_.add(finish, layer_rows.lit, lights_, shadows);
-    if (finish.is_translucent) {
+        if (program_.shows_photons()) photons_.add(finish, layer_rows.lit);
+    }
+    if (finish.is_translucent && !state_.carries_photons) {
         for (LitRow& row : layer_rows.lit) {
             const HitPoint& hit = state_.hits[row.hit];
             row.light += subsurface_.at(hit, row.place.normal, finish, row.place.pigment,
@@ -235,11 +237,13 @@ void SurfaceShader::shade_single(const LayerProgram& layer, const Rows& rows, Ch
         const Rgb filter = passed(pigments[i]) * kept(layer, mirror);
         const float through = std::min(1.0f, std::abs(grey(filter)));
         bool total_reflection = false;
-        if (through > program_.world.settings.adc_bailout && program_.options.quality >= 6) {
+        if (through > state_.limits.adc_bailout && program_.options.quality >= 6 &&
+            state_.may_refract(rows.hits[i])) {
             total_reflection =
                 secondary_.transmit(hit, {layer.finish.get(), normal, filter, through, rows.shares[i]});
         }
-        if (mirror.amount != Rgb(0.0f) && !total_reflection) secondary_.reflect(hit, mirror);
+        if (mirror.amount != Rgb(0.0f) && !total_reflection && state_.may_reflect(rows.hits[i]))
+            secondary_.reflect(hit, mirror);
     }
 }
 
@@ -285,7 +289,9 @@ MirrorRecord SurfaceShader::mirror_of(const LayerProgram& layer, const LitRow& l
     const bool fresnel = layer.finish->finish.reflection.fresnel;
     const double ior = fresnel ? secondary_.relative_ior(hit, *layer.finish) : 1.0;
     const Reflectivity r = reflectivity(*layer.finish, cosine, ior, lit.place.pigment);
-    const float importance = state_.ray_of(hit).importance * through * r.importance;
+    float importance = state_.ray_of(hit).importance * through * r.importance;
+    // Measured: mirrored photons are given up by the square.
+    if (state_.carries_photons) importance *= r.importance;
     return {0, layer.finish.get(), lit.place.normal, r.amount, importance, share};
 }
 
@@ -308,11 +314,13 @@ void SurfaceShader::send_on(const TextureProgram& texture, const Rows& rows, con
     for (size_t i = 0; i < rows.size(); ++i) {
         const HitPoint& hit = state_.hits[rows.hits[i]];
         bool total_reflection = false;
-        if (stack.through[i] > program_.world.settings.adc_bailout && program_.options.quality >= 6) {
+        if (stack.through[i] > state_.limits.adc_bailout && program_.options.quality >= 6 &&
+            state_.may_refract(rows.hits[i])) {
             total_reflection =
                 secondary_.transmit(hit, {texture.layers.front().finish.get(), stack.top_normal[i],
                                           stack.filter[i], stack.through[i], rows.shares[i]});
         }
+        if (!state_.may_reflect(rows.hits[i])) continue;
         for (size_t k = first[i]; k < stack.mirror_count; k = next[k]) {
             const MirrorRecord& mirror = stack.mirrors[k];
             if (mirror.amount == Rgb(0.0f)) continue;

@@ -1,5 +1,6 @@
 #pragma once
 #include "shade/direct_light.h"
+#include "shade/photon_shading.h"
 #include "shade/secondary.h"
 #include "shade/subsurface.h"
 
@@ -14,6 +15,7 @@ public:
           state_(state),
           light_(program, state),
           subsurface_(program, state),
+          photons_(program, state),
           secondary_(program, state) {}
 
     /// `hits`: indices into StreamState::hits.
@@ -50,6 +52,7 @@ private:
     StreamState& state_;
     DirectLight light_;
     SubsurfaceLight subsurface_;
+    PhotonShading photons_;
     SecondaryRays secondary_;
     std::span<const uint32_t> lights_;  ///< that shine on the hits at hand
 };

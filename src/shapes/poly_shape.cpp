@@ -1,6 +1,7 @@
 #include "shapes/poly_shape.h"
 
 #include "math/roots.h"
+#include "shapes/poly_along.h"
 #include "shapes/poly_bounds.h"
 
 #include <algorithm>
@@ -107,9 +108,22 @@ Vec3 PolyShape::gradient(const Vec3& p) const {
     return g;
 }
 
-/// The polynomial of t at o + t d, lowest power first. What is zero costs little: most polynomials are
-/// sparse.
+/// The polynomial of t at o + t d, lowest power first.
 void PolyShape::along(const Vec3& o, const Vec3& d, std::span<double> out) const {
+    PolyAlong ray(c_.data(), o, d);
+    if (order_ == 2) {
+        std::ranges::copy(ray.find<2>(), out.begin());
+    } else if (order_ == 3) {
+        std::ranges::copy(ray.find<3>(), out.begin());
+    } else if (order_ == 4) {
+        std::ranges::copy(ray.find<4>(), out.begin());
+    } else {
+        along_sparse(o, d, out);
+    }
+}
+
+/// The same for any order. What is zero costs little: most polynomials of high order are sparse.
+void PolyShape::along_sparse(const Vec3& o, const Vec3& d, std::span<double> out) const {
     const double* end = c_.data();
     const uint8_t* powers = z_powers_.data();
     Univariate in_x;
@@ -170,6 +184,10 @@ size_t PolyShape::find(const ShapeRay& query, Roots& out) const {
     const double to = (query.t_max - middle) / scale;
     const double lo = std::max(from - slack * std::abs(from), -middle / scale);
     const double hi = to + slack * std::abs(to);
+    if (const int quick = try_solve_polynomial(from_high, lo, hi, roots); quick >= 0) {
+        take(quick, false);
+        return found;
+    }
     if (lo < 1.0 && hi > -1.0)
         take(solve_polynomial(from_high, std::max(lo, -1.0), std::min(hi, 1.0), roots), false);
     // Beyond 1 the inverse is the parameter: the coefficients in reverse.

@@ -39,6 +39,7 @@ private:
     Vec3 gradient(const Vec3& p) const;
     bool starts_here(const ShapeRay& query) const;
     void along(const Vec3& o, const Vec3& d, std::span<double> out) const;
+    void along_sparse(const Vec3& o, const Vec3& d, std::span<double> out) const;
 
     std::string keyword_;
     int order_;

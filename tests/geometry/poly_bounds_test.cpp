@@ -1,7 +1,11 @@
 #include "shapes/poly_bounds.h"
 
+#include "shapes/poly_along.h"
+#include "shapes/poly_shape.h"
 #include "tests/geometry/shape_cases.h"
 
+#include <array>
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -32,6 +36,30 @@ TEST(PolyBounds, AreInfiniteForWhatHasNoEnd) {
          {"poly { 2, <1,0,0,0,1,0,0,-1,0,-1> }", "poly { 2, <1,0,0,0,1,0,0,0,0,-1> }",
           "poly { 2, <-1,0,0,0,-1,0,0,-1,0,1> }", "poly { 3, <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,-1> }"}) {
         EXPECT_FALSE(shape_from(statement)->bounds().is_finite()) << statement;
+    }
+}
+
+TEST(PolyAlong, IsThePolynomialAtEachPlaceOfTheRay) {
+    std::mt19937_64 random(9);
+    std::uniform_real_distribution<double> number(-1, 1);
+    std::array<double, 35> c;
+    for (double& v : c) v = number(random);
+    const Vec3 o{0.3, -0.7, 0.4};
+    const Vec3 d{0.5, 0.2, -0.9};
+    const std::array<double, 5> along = PolyAlong(c.data(), o, d).find<4>();
+    for (const double t : {-1.3, 0.0, 0.6, 2.0}) {
+        const Vec3 p = o + t * d;
+        double wanted = 0.0;
+        for (int i = 4; i >= 0; --i) {
+            for (int j = 4 - i; j >= 0; --j) {
+                for (int k = 4 - i - j; k >= 0; --k)
+                    wanted +=
+                        c[poly_index(4, i, j, k)] * std::pow(p.x, i) * std::pow(p.y, j) * std::pow(p.z, k);
+            }
+        }
+        double value = 0.0;
+        for (size_t i = 5; i-- > 0;) value = value * t + along[i];
+        EXPECT_NEAR(value, wanted, 1e-13);
     }
 }
 

@@ -247,7 +247,23 @@ TEST(QuickRoots, AreThoseOfTheSlowTwinOrNone) {
     expect_quick_roots_as_slow_ones<4>(random);
     expect_quick_roots_as_slow_ones<6>(random);
     expect_quick_roots_as_slow_ones<10>(random);
+    // Of another interval, by way of the polynomial there.
+    std::uniform_real_distribution<double> place(-0.5, 1.5);
+    int told = 0;
+    for (int i = 0; i < 4000; ++i) {
+        std::vector<double> wanted{place(random), place(random), place(random)};
+        const std::vector<double> c = with_roots(wanted);
+        std::array<double, 3> quick;
+        std::array<double, 3> slow;
+        const int n = try_solve_polynomial(c, -0.3, 1.4, quick);
+        if (n < 0) continue;
+        ++told;
+        ASSERT_EQ(n, solve_polynomial(c, -0.3, 1.4, slow));
+        for (size_t k = 0; k < static_cast<size_t>(n); ++k) ASSERT_NEAR(quick[k], slow[k], 1e-9);
+    }
+    EXPECT_GT(told, 3000);
     std::array<double, 2> roots;
+    EXPECT_LT(try_solve_polynomial(std::vector<double>{1, 0, -1}, -1e4, 2, roots), 0);
     // A double root is not told.
     EXPECT_FALSE(QuickRoots<2>({1, -1, 0.25}).search(roots).has_value());
 }

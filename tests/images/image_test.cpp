@@ -138,7 +138,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Invariance,
                          testing::Values("gallery/still_life", "csg/nested", "csg/instances", "shapes/mesh",
                                          "shapes/mesh2", "lights/area_jitter", "antialias/method1",
                                          "antialias/method2", "transparency/refraction", "textures/layered",
-                                         "language/macros", "media/scattering", "media/air", "media/methods"),
+                                         "language/macros", "media/scattering", "media/air", "media/methods",
+                                         "photons/glass", "photons/media"),
                          [](const auto& i) { return flat(i.param); });
 
 /// Meshes instead of exact shapes: the same picture within the error of the meshes.

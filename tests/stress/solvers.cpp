@@ -209,6 +209,14 @@ Trial try_any_degree(const Polynomial& p, Dice& dice) {
     return judge(p, std::span(roots).first(static_cast<size_t>(n)), local(p), true, dice);
 }
 
+/// Where it tells.
+Trial try_quickly(const Polynomial& p, Dice& dice) {
+    std::vector<double> roots(p.c.size());
+    const int n = try_solve_polynomial(p.c, p.lo, p.hi, roots);
+    if (n < 0) return Trial::nothing();
+    return judge(p, std::span(roots).first(static_cast<size_t>(n)), local(p), true, dice);
+}
+
 struct Solver {
     std::string_view name;
     size_t least_degree;
@@ -217,7 +225,7 @@ struct Solver {
 };
 
 void run(const Effort& effort, Table& table) {
-    static constexpr std::array<Solver, 9> all{{
+    static constexpr std::array<Solver, 10> all{{
         {"quadratic", 2, 2, try_quadratic},
         {"cubic", 3, 3, try_fixed<3>},
         {"quartic", 4, 4, try_fixed<4>},
@@ -231,6 +239,7 @@ void run(const Effort& effort, Table& table) {
          [](const Polynomial& p, Dice& d) { return try_sign_changes<6>(p, d); }},
         {"any degree, 2 to 8", 2, 8, try_any_degree},
         {"any degree, 9 to 30", 9, 30, try_any_degree},
+        {"quickly, degree 2 to 6", 2, 6, try_quickly},
     }};
     struct Kind {
         std::string_view name;
