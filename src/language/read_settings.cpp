@@ -138,19 +138,23 @@ void read_radiosity(Session& session, const Block& block, const ReadContext& con
 
 void read_subsurface(Session& session, const Block& block, const ReadContext& context) {
     BlockReader in(block, context);
+    SubsurfaceSettings& settings = session.scene.settings.subsurface.emplace();
+    const auto count = [&] { return std::clamp(in.integer(), 1, 1 << 20); };
     while (!in.at_end()) {
         if (in.take_word("samples")) {
-            in.integer();
-            in.integer();
-        } else if (in.take_word("radiosity")) {
-            in.optional_switch();
+            settings.diffuse_samples = count();
+            settings.single_samples = count();
+        } else if (in.at_word("radiosity")) {
+            const SourceRange where = in.where();
+            in.skip_item();
+            if (in.optional_switch())
+                context.diagnostics->unsupported(where, "radiosity of subsurface",
+                                                 "lights alone shine into bodies");
         } else {
             break;
         }
     }
     in.finish();
-    session.scene.settings.wants_subsurface = true;
-    context.diagnostics->unsupported(block.where, "subsurface", "surfaces are lit at their outside only");
 }
 
 void read_charset(Session& session, BlockReader& in) {

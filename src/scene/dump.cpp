@@ -363,7 +363,7 @@ void dump_settings(Dumper& d, const Scene& scene) {
     d.number(1, "number_of_waves", s.number_of_waves, 10);
     d.flag(1, "radiosity", s.wants_radiosity);
     if (s.photons) d.photons(1, *s.photons);
-    d.flag(1, "subsurface", s.wants_subsurface);
+    d.flag(1, "subsurface", s.subsurface.has_value());
 }
 
 }  // namespace

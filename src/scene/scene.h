@@ -10,6 +10,12 @@
 
 namespace rb {
 
+/// `subsurface` of global_settings (manual 3.4.1.15).
+struct SubsurfaceSettings {
+    int diffuse_samples = 50;  ///< of the body's surface
+    int single_samples = 50;   ///< of the ray's way into the body
+};
+
 struct GlobalSettings {
     float adc_bailout = 1.0f / 255.0f;
     Rgb ambient_light{1.0f};
@@ -21,7 +27,7 @@ struct GlobalSettings {
     double mm_per_unit = 10;
     bool wants_radiosity = false;
     std::optional<PhotonSettings> photons;  ///< absent: there are none
-    bool wants_subsurface = false;
+    std::optional<SubsurfaceSettings> subsurface;
 };
 
 struct SkySphere {

@@ -18,7 +18,12 @@ Rgb raised(const Rgb& c, float power) {
 }
 
 /// What the random numbers of child rays are drawn for.
-enum Purpose : uint64_t { purpose_transmit = 1, purpose_reflect = 2, purpose_band = 100 };
+enum Purpose : uint64_t {
+    purpose_transmit = 1,
+    purpose_reflect = 2,
+    purpose_through = 3,
+    purpose_band = 100
+};
 
 }  // namespace
 
@@ -205,6 +210,21 @@ Rgb SecondaryRays::film(const HitPoint& hit, const FinishProgram& finish, const 
     const double thickness = film_thickness(finish, hit.point, program_.patterns.noise_generator);
     const double cosines = std::abs(glm::dot(normal, out)) + std::abs(glm::dot(normal, hit.direction));
     return iridescence(finish, program_.world.settings.irid_wavelength, thickness, cosines);
+}
+
+void SecondaryRays::pass_on(const HitPoint& hit, const HitPoint& exit, const Vec3& direction,
+                            const Rgb& weight) {
+    PathRay& ray = add_child(hit, purpose_through);
+    ray.ray = {exit.point, direction};
+    ray.origin_leaf = exit.leaf;
+    ray.origin_part = exit.part;
+    ray.origin_member = exit.member;
+    ray.origin_error = exit.error;
+    ray.refracted = true;
+    ray.importance = state_.ray_of(hit).importance * std::max({weight.x, weight.y, weight.z});
+    ray.weight *= weight;
+    ray.alpha = 0;
+    keep_or_drop(ray);
 }
 
 void SecondaryRays::reflect(const HitPoint& hit, const MirrorRecord& mirror) {

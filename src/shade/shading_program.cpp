@@ -25,7 +25,8 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
 }
 
 void ShadingProgram::add_surfaces() {
-    TextureCompiler compiler({patterns, world.settings.ambient_light, options.quality});
+    TextureCompiler compiler({patterns, world.settings.ambient_light, options.quality,
+                              options.quality >= 9 && world.settings.subsurface.has_value()});
     tracks_interiors = has_air() || media.fills_interiors() || !options.skip_unneeded;
     needs_samples = !options.skip_unneeded;
     std::unordered_map<const TextureLayers*, uint32_t> known;

@@ -196,7 +196,22 @@ SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, co
         light_.add(finish, layer_rows.lit, lights_, shadows);
         if (program_.shows_photons()) photons_.add(finish, layer_rows.lit);
     }
+    if (finish.is_translucent && !state_.carries_photons) {
+        for (LitRow& row : layer_rows.lit) {
+            const HitPoint& hit = state_.hits[row.hit];
+            row.light += subsurface_.at(hit, row.place.normal, finish, row.place.pigment,
+                                        secondary_.relative_ior(hit, finish), lights_);
+        }
+    }
     return layer_rows;
+}
+
+/// What a translucent body lets through of what is behind it.
+void SurfaceShader::go_straight_through(const LayerProgram& layer, const LitRow& lit, const Rgb& weight) {
+    const HitPoint& hit = state_.hits[lit.hit];
+    const auto passage = subsurface_.straight_through(hit, lit.place.normal, *layer.finish, lit.place.pigment,
+                                                      secondary_.relative_ior(hit, *layer.finish));
+    if (passage) secondary_.pass_on(hit, passage->exit, passage->direction, weight * passage->left);
 }
 
 /// A texture of a single layer, which most are: nothing to stack.
@@ -207,6 +222,9 @@ void SurfaceShader::shade_single(const LayerProgram& layer, const Rows& rows, Ch
     for (size_t i = 0; i < rows.size(); ++i) {
         const HitPoint& hit = state_.hits[rows.hits[i]];
         state_.slots[state_.ray_of(hit).slot].rgb += hit.weight * rows.shares[i] * own_light(layer, lit[i]);
+    }
+    if (layer.finish->is_translucent) {
+        for (size_t i = 0; i < rows.size(); ++i) go_straight_through(layer, lit[i], Rgb(rows.shares[i]));
     }
     const bool mirrors = layer.finish->reflects;
     for (size_t i = 0; i < rows.size(); ++i) {
@@ -250,6 +268,8 @@ void SurfaceShader::shade_layer(const LayerProgram& layer, const Rows& rows, std
         } else {
             stack.color[row] += stack.filter[row] * own_light(layer, lit[i]);
         }
+        if (layer.finish->is_translucent)
+            go_straight_through(layer, lit[i], stack.filter[row] * rows.shares[row]);
         MirrorRecord mirror;
         if (layer.finish->reflects) {
             mirror = mirror_of(layer, lit[i], stack.through[row], rows.shares[row]);

@@ -2,6 +2,7 @@
 #include "shade/direct_light.h"
 #include "shade/photon_shading.h"
 #include "shade/secondary.h"
+#include "shade/subsurface.h"
 
 namespace rb {
 
@@ -13,6 +14,7 @@ public:
         : program_(program),
           state_(state),
           light_(program, state),
+          subsurface_(program, state),
           photons_(program, state),
           secondary_(program, state) {}
 
@@ -43,11 +45,13 @@ private:
     MirrorRecord mirror_of(const LayerProgram& layer, const LitRow& lit, float through, float share) const;
     static Rgb kept(const LayerProgram& layer, const MirrorRecord& mirror);
     void send_on(const TextureProgram& texture, const Rows& rows, const LayerStack& stack);
+    void go_straight_through(const LayerProgram& layer, const LitRow& lit, const Rgb& weight);
     Rgb own_light(const LayerProgram& layer, const LitRow& lit) const;
 
     const ShadingProgram& program_;
     StreamState& state_;
     DirectLight light_;
+    SubsurfaceLight subsurface_;
     PhotonShading photons_;
     SecondaryRays secondary_;
     std::span<const uint32_t> lights_;  ///< that shine on the hits at hand

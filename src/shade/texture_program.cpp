@@ -25,7 +25,9 @@ FinishProgram::FinishProgram(const Finish& written, const TextureSettings& setti
       phong_size(static_cast<double>(written.phong_size)),
       roughness(static_cast<double>(written.roughness_exponent)) {
     own_light = written.ambient * settings.ambient_light + written.emission;
-    takes_light = written.diffuse != 0.0f || written.diffuse_back != 0.0f || written.phong != 0.0f ||
+    is_translucent = settings.subsurface && written.translucency.has_value();
+    if (is_translucent) finish.diffuse = finish.diffuse_back = 0.0f;
+    takes_light = finish.diffuse != 0.0f || finish.diffuse_back != 0.0f || written.phong != 0.0f ||
                   written.specular != 0.0f;
     has_highlights = written.phong > 0.0f || written.specular > 0.0f;
     const Reflection& r = written.reflection;
