@@ -24,6 +24,13 @@ double seconds(const timeval& t) {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
+/// Nothing in scenes without photons.
+std::string photon_text(const PhotonCounters& photons) {
+    if (photons.shot + photons.on_surfaces + photons.in_media == 0) return {};
+    return fmt::format("Photons Shot: {:>12}\nOn Surfaces:  {:>12}\nIn Media:     {:>12}\n", photons.shot,
+                       photons.on_surfaces, photons.in_media);
+}
+
 }  // namespace
 
 double cpu_seconds() {
@@ -37,11 +44,12 @@ std::string statistics_text(const Statistics& statistics, const World& world, co
     const RayCounters& rays = result.counters;
     return fmt::format(
         "Surfaces:     {:>12}\nLight Sources:{:>12}\nCamera Rays:  {:>12}\nReflected:    {:>12}\n"
-        "Refracted:    {:>12}\nShadow Rays:  {:>12}\nParse Time:   {:.3f} seconds\nBounding Time:{:.3f} "
+        "Refracted:    {:>12}\nShadow Rays:  {:>12}\n{}Parse Time:   {:.3f} seconds\nBounding Time:{:.3f} "
         "seconds\n"
         "Trace Time:   {:.3f} seconds\n",
         world.geometry->leaves().size(), world.lights.size(), rays.camera, rays.reflected, rays.refracted,
-        rays.shadow, statistics.parse_seconds, statistics.compile_seconds, statistics.render_seconds);
+        rays.shadow, photon_text(result.photons), statistics.parse_seconds, statistics.compile_seconds,
+        statistics.render_seconds);
 }
 
 namespace {
@@ -77,6 +85,10 @@ void write_statistics(const Statistics& statistics, const World& world, const Re
                                   {"reflected", result.counters.reflected},
                                   {"refracted", result.counters.refracted},
                                   {"shadow", result.counters.shadow}}},
+                                {"photons",
+                                 {{"shot", result.photons.shot},
+                                  {"on_surfaces", result.photons.on_surfaces},
+                                  {"in_media", result.photons.in_media}}},
                                 {"parse_peak_memory_kib", statistics.parse_peak_memory},
                                 {"peak_memory_kib", peak_memory()},
                                 {"complete", result.complete}};

@@ -11,8 +11,12 @@ namespace {
 /// Crossing::member numbers them.
 constexpr double most_leaves = 2e9;
 
+/// Targets and what photons do at them belong to each copy.
+bool asks_for_photons(const Object& object) { return object.photons != ObjectPhotons{}; }
+
 bool is_limited(const Object& object) {
-    return object.inverse || !object.clipped_by.empty() || !object.bounded_by.empty();
+    return object.inverse || asks_for_photons(object) || !object.clipped_by.empty() ||
+           !object.bounded_by.empty();
 }
 
 /// The language makes a triangle's normals anew after each transformation: they may turn over, and smooth
@@ -77,6 +81,7 @@ CompoundStore::Facts CompoundStore::facts_of(const Object& object) {
         const ShapePtr* shape = as<ShapePtr>(object);
         facts.can_be_shared = shape && !transforms_by_rule(**shape);
     }
+    if (asks_for_photons(object)) facts.can_be_shared = false;
     for (const auto& list : {object.clipped_by, object.bounded_by}) {
         for (const ObjectPtr& limit : list) {
             if (!facts_of(*limit).can_be_shared) facts.can_be_shared = false;

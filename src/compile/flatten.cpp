@@ -64,6 +64,16 @@ bool casts_no_shadow(const Object& object) {
            });
 }
 
+/// A child cannot take back what its parent says about photons.
+ObjectPhotons handed_down(const ObjectPhotons& parent, ObjectPhotons own) {
+    if (parent.target > 0.0f) own.target = parent.target;
+    if (parent.ways.refraction != PhotonSwitch::unsaid) own.ways.refraction = parent.ways.refraction;
+    if (parent.ways.reflection != PhotonSwitch::unsaid) own.ways.reflection = parent.ways.reflection;
+    own.collect = own.collect && parent.collect;
+    own.pass_through = own.pass_through || parent.pass_through;
+    return own;
+}
+
 /// The leaf's surface in the world, cut down to where its hits can count.
 Bounds cut_box(const SolidForest& solids, const Leaf& leaf) {
     Bounds box = leaf.shape->bounds();
@@ -179,6 +189,7 @@ Flattener::Inherited Flattener::inherit(const Object& object, const Inherited& f
         own.no_radiosity = from.no_radiosity || object.no_radiosity;
     }
     own.double_illuminate = from.double_illuminate || object.double_illuminate;
+    own.photons = handed_down(from.photons, object.photons);
     own.lights_here = 0;
     if (const auto* csg = as<Csg>(object)) {
         own.cutaway = own.cutaway || csg->cutaway_textures;
@@ -197,6 +208,7 @@ uint32_t Flattener::build(const Object& object, const Inherited& from, bool inve
         return no_node;
     }
     Inherited own = inherit(object, from);
+    if (own.surfaces) become_target(own);
     invert = invert != object.inverse;
     if (const auto* shape = as<ShapePtr>(object)) {
         const uint32_t node = build_shape(object, *shape, own, invert, parent);
@@ -280,6 +292,10 @@ uint32_t Flattener::build_shape(const Object&, const ShapePtr& shape, const Inhe
     return static_cast<uint32_t>(flat_.solids.nodes.size() - 1);
 }
 
+uint32_t Flattener::photon_target(const Leaf& leaf) const {
+    return leaf.instance == no_surface ? world_.surfaces[leaf.surface].photons.target : no_target;
+}
+
 FlatGeometry Flattener::finish() {
     // A plane wins against a coincident finite object once there are at least three objects.
     std::vector<bool> infinite(draft_->top_ends.size());
@@ -294,6 +310,8 @@ FlatGeometry Flattener::finish() {
             const Bounds box = cut_box(flat_.solids, *leaf);
             flat_.boxes.push_back(box);
             flat_.tops[i].box.include(box);
+            if (const uint32_t target = photon_target(*leaf); target != no_target)
+                world_.photon_targets[target].box.include(box);
             if (!box.is_empty() && !box.is_finite()) infinite[i] = true;
         }
     }

@@ -61,6 +61,8 @@ private:
     void add_solid(const Object& object, const Inherited& from);
     void add_light(const Light& light, const Inherited& from);
     void enter_light_group(const Csg& group, Inherited& own);
+    void become_target(Inherited& own);
+    uint32_t photon_target(const Leaf& leaf) const;
     std::shared_ptr<const Geometry> shape_of(const ObjectPtr& object);
     uint32_t build(const Object& object, const Inherited& from, bool invert, uint32_t parent);
     uint32_t build_shape(const Object& object, const ShapePtr& shape, const Inherited& own, bool invert,

@@ -8,7 +8,7 @@
 namespace rb {
 
 bool Flattener::add_instance(const Object& object, const Inherited& from) {
-    if (!store_ || !store_->shares(object)) return false;
+    if (!store_ || !store_->shares(object) || from.photons != ObjectPhotons{}) return false;
     const Inherited own = inherit(object, from);
     CompoundStore::Entry& entry = store_->entry(object, needs_of(own, object));
     if (!entry.known) {

@@ -43,6 +43,8 @@ void Flattener::add_leaf(const Object& object, const Inherited& own, uint32_t no
     if (!own.no_radiosity && !own.no_reflection) leaf.mask |= seen_by_gather_mirrored;
     if (!own.no_radiosity && !own.no_image) leaf.mask |= seen_by_gather_refracted;
     if (!own.no_shadow) leaf.mask |= opaque ? blocks_light : filters_light;
+    if (!own.no_shadow && !own.no_image) leaf.mask |= seen_by_photons;
+    if (!own.no_shadow && !own.no_reflection) leaf.mask |= seen_by_mirrored_photons;
     if (own.cutaway && !own.texture && textures.empty()) {
         draft_->cuts.push_back(static_cast<uint32_t>(flat_.leaves.size()));
     }
@@ -90,6 +92,10 @@ Surface Flattener::surface_of(const Object& object, const Inherited& own) {
     surface.uv_mapping = own.uv_mapping;
     surface.double_illuminate = own.double_illuminate;
     surface.lights = own.lights;
+    if (world_.settings.photons) {
+        surface.photons = {own.photon_target, own.photons.ways, own.photons.collect,
+                           own.photons.pass_through};
+    }
     surface.where = object.where;
     return surface;
 }

@@ -39,6 +39,14 @@ void Flattener::enter_light_group(const Csg& group, Inherited& own) {
     if (static_cast<size_t>(lights) < group.children->size()) own.lights.group = own.lights_here;
 }
 
+/// A compound that stays whole is one target, whatever its children say.
+void Flattener::become_target(Inherited& own) {
+    if (!world_.settings.photons || own.photons.target == 0.0f || own.photon_target != no_target) return;
+    own.photon_target = static_cast<uint32_t>(world_.photon_targets.size());
+    world_.photon_targets.push_back(
+        {{}, own.photons.target, own.photons.ways, own.photons.collect, own.lights.global});
+}
+
 /// The surfaces of an object that are not part of the scene. Lights in it are lost.
 std::shared_ptr<const Geometry> Flattener::shape_of(const ObjectPtr& object) {
     World world;

@@ -42,7 +42,9 @@ struct Flattener::Inherited {
     bool no_reflection = false;
     bool no_radiosity = false;
     bool double_illuminate = false;
-    bool top = true;           ///< not inside a compound that stays whole
+    ObjectPhotons photons;
+    uint32_t photon_target = no_target;  ///< index into World::photon_targets
+    bool top = true;                     ///< not inside a compound that stays whole
     bool flags_fixed = false;  ///< inside an intersection: children's own visibility flags do nothing
     bool image_fixed = false;  ///< inside a union that stays whole: children's no_image does nothing
     bool surfaces = true;      ///< false for clips and bounds: they only answer inside tests

@@ -43,6 +43,7 @@ size_t hash_of(const Surface& s) {
     size_t h = hash_of(s.texture);
     if (s.interior_texture) h = mix(h, hash_of(*s.interior_texture));
     h = mix(h, s.interior);
+    h = mix(h, s.photons.target);
     h = mix(h, 2 * s.lights.group + (s.lights.global ? 1u : 0u));
     return mix(h, (s.uv_mapping ? 1u : 0u) + (s.double_illuminate ? 2u : 0u));
 }
@@ -55,7 +56,7 @@ bool equal(const Surface& a, const Surface& b) {
     if (a.interior_texture.has_value() != b.interior_texture.has_value()) return false;
     if (a.interior_texture && !equal(*a.interior_texture, *b.interior_texture)) return false;
     return equal(a.texture, b.texture) && a.interior == b.interior && a.uv_mapping == b.uv_mapping &&
-           a.double_illuminate == b.double_illuminate && a.lights == b.lights &&
+           a.double_illuminate == b.double_illuminate && a.lights == b.lights && a.photons == b.photons &&
            a.texture_stays == b.texture_stays && a.interior_texture_stays == b.interior_texture_stays;
 }
 

@@ -10,7 +10,7 @@
 namespace rb {
 
 /// Which rays a surface takes part in; a query names the bits it wants.
-enum SurfaceMask : uint8_t {
+enum SurfaceMask : uint16_t {
     seen_by_image = 1,               ///< camera rays and their refracted continuations (not no_image)
     seen_by_reflection = 2,          ///< rays that have been reflected (not no_reflection)
     blocks_light = 4,                ///< opaque for shadow rays (not no_shadow)
@@ -19,6 +19,9 @@ enum SurfaceMask : uint8_t {
     seen_by_trace = 32,              ///< the language's trace(): every surface
     seen_by_gather_mirrored = 64,    ///< radiosity rays that have been reflected (no_reflection, too)
     seen_by_gather_refracted = 128,  ///< radiosity rays that have been refracted only (no_image, too)
+    /// Photons from a light and those that were only refracted (neither no_shadow nor no_image).
+    seen_by_photons = 256,
+    seen_by_mirrored_photons = 512,  ///< the others (neither no_shadow nor no_reflection)
 };
 
 /// Which lights shine on a surface: those of one light_group, the global ones, or both.
@@ -29,6 +32,27 @@ struct LightChoice {
     friend bool operator==(const LightChoice&, const LightChoice&) = default;
 };
 
+constexpr uint32_t no_target = std::numeric_limits<uint32_t>::max();
+
+/// What photons do at a surface.
+struct PhotonRole {
+    uint32_t target = no_target;  ///< index into World::photon_targets
+    PhotonWays ways;
+    bool collect = true;
+    bool pass_through = false;
+
+    friend bool operator==(const PhotonRole&, const PhotonRole&) = default;
+};
+
+/// An object that photons are shot at.
+struct PhotonTarget {
+    Bounds box;  ///< of its surfaces
+    float spacing_factor = 1;
+    PhotonWays ways;
+    bool collect = true;
+    bool global_lights = true;  ///< they shine on it
+};
+
 /// What a surface wears, resolved after CSG inheritance; shared by all leaves that look alike.
 struct Surface {
     WornTexture texture;  ///< never null: the default texture stands in
@@ -37,6 +61,7 @@ struct Surface {
     bool uv_mapping = false;
     bool double_illuminate = false;
     LightChoice lights;
+    PhotonRole photons;
     /// In a Compound: the texture does not move with its copies (uv_mapping).
     bool texture_stays = false;
     bool interior_texture_stays = false;
@@ -51,7 +76,7 @@ struct Leaf {
     SharedAffine object_from_world;  ///< identity when `in_world_space`
     bool in_world_space = false;     ///< the shape took its transform into its own numbers
     bool inverted = false;           ///< normals and inside are turned (`inverse`, subtracted)
-    uint8_t mask = 0;                ///< SurfaceMask bits
+    uint16_t mask = 0;               ///< SurfaceMask bits
     uint32_t surface = 0;            ///< index into World::surfaces
     uint32_t solid = 0;              ///< node of the solid tree that decides which crossings count
     /// First of the surfaces of the shape's own textures in World::surfaces (in the order of
@@ -78,7 +103,7 @@ constexpr uint32_t no_leaf = std::numeric_limits<uint32_t>::max();
 struct RayQuery {
     Ray ray;  ///< of unit length
     double t_max = std::numeric_limits<double>::infinity();
-    uint8_t mask = seen_by_image;
+    uint16_t mask = seen_by_image;
     uint32_t origin_leaf = no_leaf;   ///< the leaf on whose surface the ray starts
     double origin_error = 0;          ///< bound on the distance of the origin to the true surface
     uint32_t origin_part = any_part;  ///< Crossing::part of the hit it starts from; optional, sharpens meshes
@@ -121,6 +146,7 @@ struct World {
     std::vector<WorldLight> lights;
     /// Indices into `lights`; of the first, which stands for none, there are no lights.
     std::vector<std::vector<uint32_t>> light_groups{1};
+    std::vector<PhotonTarget> photon_targets;  ///< empty without GlobalSettings::photons
     std::optional<Color> background;
     std::optional<SkySphere> sky_sphere;
     std::vector<Fog> fogs;

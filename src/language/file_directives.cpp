@@ -42,13 +42,7 @@ void TokenStream::do_fopen(SourceRange) {
         options.runs = false;
         file->tokens = lex(number, session_.sources.text(number), session_.words, options);
     } else {
-        const auto& may_write = session_.options.may_write;
-        if (may_write && !may_write(name)) {
-            session_.fail(where,
-                          fmt::format("Writing to {} is not allowed: only below the current directory, "
-                                      "the picture's and temporary ones; --allow-write DIR allows more.",
-                                      name));
-        }
+        check_may_write(session_, name, where);
         if (session_.options.file_access)
             file->out = std::fopen(name.c_str(), file->mode == OpenFile::Mode::write ? "wb" : "ab");
         if (!file->out) {

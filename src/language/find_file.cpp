@@ -166,6 +166,14 @@ bool file_exists(const Session& session, const std::string& name) {
     return find_exactly(session, name, SoughtFile::data).has_value();
 }
 
+void check_may_write(const Session& session, const std::string& path, SourceRange where) {
+    const auto& may_write = session.options.may_write;
+    if (!may_write || may_write(path)) return;
+    throw SceneError(where, fmt::format("Writing to {} is not allowed: only below the current directory, the "
+                                        "picture's and temporary ones; --allow-write DIR allows more.",
+                                        path));
+}
+
 SceneError missing_file(Session& session, const std::string& name, SoughtFile type, SourceRange where,
                         std::string message) {
     session.diagnostics.report(

@@ -42,6 +42,9 @@ bool names_file_type(std::string_view word);
 /// Whether the exact name is there, for the scene language's own question.
 bool file_exists(const Session& session, const std::string& name);
 
+/// An error unless the scene may write there (LoadOptions::may_write).
+void check_may_write(const Session& session, const std::string& path, SourceRange where);
+
 /// The error for a file that was not found: `message`, with a note of every place tried.
 [[nodiscard]] SceneError missing_file(Session& session, const std::string& name, SoughtFile type,
                                       SourceRange where, std::string message);

@@ -60,7 +60,9 @@ std::shared_ptr<const Rainbow> read_rainbow(const Block& block, const ReadContex
 std::shared_ptr<const SkySphere> read_sky_sphere(const Block& block, const ReadContext& context);
 Color read_background(const Block& block, const ReadContext& context);
 void read_global_settings(Session& session, const Block& block);
-void read_photons(BlockReader& in);
+void read_global_photons(Session& session, const Block& block);
+void read_light_photons(const Block& block, const ReadContext& context, LightPhotons& photons);
+void read_object_photons(const Block& block, const ReadContext& context, ObjectPhotons& photons);
 /// `radiosity { importance F }` of objects and of #default.
 std::optional<double> read_importance(const Block& block, const ReadContext& context);
 

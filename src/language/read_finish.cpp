@@ -63,17 +63,23 @@ void read_irid(const Block& block, const ReadContext& context, Finish& finish) {
     in.finish();
 }
 
-void read_subsurface(const Block& block, const ReadContext& context) {
+void read_subsurface(const Block& block, const ReadContext& context, Finish& finish) {
     BlockReader in(block, context);
+    if (!finish.translucency) finish.translucency.emplace(0.0f);
     while (!in.at_end()) {
-        if (in.take_word("translucency") || in.take_word("anisotropy")) {
-            in.rgb_color();
+        if (in.take_word("translucency")) {
+            finish.translucency = in.rgb_color();
+        } else if (in.at_word("anisotropy")) {
+            const SourceRange where = in.where();
+            in.skip_item();
+            if (in.rgb_color() != Rgb(0.0f))
+                context.diagnostics->unsupported(where, "anisotropy",
+                                                 "light is scattered in all directions alike");
         } else {
             break;
         }
     }
     in.finish();
-    context.diagnostics->unsupported(block.where, "subsurface", "the surface is drawn without it");
 }
 
 bool take_highlight(BlockReader& in, Finish& finish, Albedo& albedo) {
@@ -144,7 +150,7 @@ bool take_item(BlockReader& in, Finish& finish) {
     } else if (in.at_block("irid")) {
         read_irid(in.block("irid"), in.context(), finish);
     } else if (in.at_block("subsurface")) {
-        read_subsurface(in.block("subsurface"), in.context());
+        read_subsurface(in.block("subsurface"), in.context(), finish);
     } else {
         return false;
     }

@@ -20,6 +20,7 @@ ObjectPtr read_looks_like(const Block& block, const ReadContext& context, const 
     auto object = read_carried(block, context);
     transform_object(*object, Transform::translation(light.location));
     object->no_shadow = true;
+    object->photons.pass_through = true;
     return object;
 }
 
@@ -134,8 +135,7 @@ bool take_other(BlockReader& in, Light& light) {
         if (light.projected_through) in.fail("Only one projected through allowed per light_source.");
         light.projected_through = read_projected_through(in.block("projected_through"), context);
     } else if (in.at_block("photons")) {
-        BlockReader photons(in.block("photons"), context);
-        read_photons(photons);
+        read_light_photons(in.block("photons"), context, light.photons);
     } else if (in.at_block("color_map") || in.at_block("colour_map")) {
         const auto colors = read_color_map(in.block(in.peek_word()), context);
         Rgb sum{0.0f};

@@ -89,8 +89,7 @@ public:
             if (in_.take_word("global_lights")) {
                 group.global_lights = in_.optional_switch();
             } else if (in_.at_block("photons")) {
-                BlockReader photons(in_.block("photons"), in_.context());
-                read_photons(photons);
+                read_object_photons(in_.block("photons"), in_.context(), object_.photons);
             } else if (!take_transform()) {
                 break;
             }
@@ -221,8 +220,7 @@ private:
             in_.skip_item();
             csg->cutaway_textures = true;
         } else if (in_.at_block("photons")) {
-            BlockReader photons(in_.block("photons"), in_.context());
-            read_photons(photons);
+            read_object_photons(in_.block("photons"), in_.context(), object_.photons);
         } else if (in_.at_block("radiosity")) {
             const auto importance = read_importance(in_.block("radiosity"), in_.context());
             if (importance) object_.radiosity_importance = static_cast<float>(*importance);
@@ -281,24 +279,6 @@ std::optional<double> read_importance(const Block& block, const ReadContext& con
     }
     in.finish();
     return importance;
-}
-
-void read_photons(BlockReader& in) {
-    const SourceRange at = in.block_where();
-    bool asks = false;
-    while (!in.at_end()) {
-        if (in.take_word("target")) {
-            asks = in.at_number() ? in.number() > 0 : true;
-        } else if (in.take_word("refraction") || in.take_word("reflection")) {
-            in.number();
-        } else if (in.take_word("pass_through") || in.take_word("collect") || in.take_word("area_light")) {
-            in.optional_switch();
-        } else {
-            break;
-        }
-    }
-    in.finish();
-    if (asks) in.diagnostics().unsupported(at, "photons", "the light that they would bring is missing");
 }
 
 std::shared_ptr<Object> read_new_object(const Block& block, const ReadContext& context) {

@@ -166,62 +166,25 @@ void read_radiosity(Session& session, const Block& block, const ReadContext& con
     session.scene.settings.radiosity = settings;
 }
 
-void take_photon_counts(BlockReader& in) {
-    const SourceRange at = in.where();
-    const int least = in.integer();
-    const int most = in.integer();
-    if (most != 0 && least > most) {
-        in.fail_at(at, "min_gather_count must be less than max_gather_count.");
-    }
-}
-
-void take_photon_media(BlockReader& in) {
-    const SourceRange at = in.where();
-    if (in.integer() < 0) in.fail_at(at, "max media steps must be non-negative.");
-    if (!in.at_number()) return;
-    const SourceRange factor = in.where();
-    if (!(in.number() > 0)) in.fail_at(factor, "media spacing factor must be greater than zero.");
-}
-
-void read_global_photons(Session& session, const Block& block, const ReadContext& context) {
-    BlockReader in(block, context);
-    while (!in.at_end()) {
-        if (in.take_word("spacing") || in.take_word("count") || in.take_word("autostop") ||
-            in.take_word("jitter") || in.take_word("max_trace_level") || in.take_word("adc_bailout")) {
-            in.number();
-        } else if (in.take_word("gather")) {
-            take_photon_counts(in);
-        } else if (in.take_word("media")) {
-            take_photon_media(in);
-        } else if (in.take_word("expand_thresholds") || in.take_word("radius")) {
-            while (in.at_number()) in.number();
-        } else if (in.take_word("save_file") || in.take_word("load_file")) {
-            in.text();
-        } else {
-            break;
-        }
-    }
-    in.finish();
-    session.scene.settings.wants_photons = true;
-    context.diagnostics->unsupported(block.where, "photons",
-                                     "light goes straight through transparent objects");
-}
-
 void read_subsurface(Session& session, const Block& block, const ReadContext& context) {
     BlockReader in(block, context);
+    SubsurfaceSettings& settings = session.scene.settings.subsurface.emplace();
+    const auto count = [&] { return std::clamp(in.integer(), 1, 1 << 20); };
     while (!in.at_end()) {
         if (in.take_word("samples")) {
-            in.integer();
-            in.integer();
-        } else if (in.take_word("radiosity")) {
-            in.optional_switch();
+            settings.diffuse_samples = count();
+            settings.single_samples = count();
+        } else if (in.at_word("radiosity")) {
+            const SourceRange where = in.where();
+            in.skip_item();
+            if (in.optional_switch())
+                context.diagnostics->unsupported(where, "radiosity of subsurface",
+                                                 "lights alone shine into bodies");
         } else {
             break;
         }
     }
     in.finish();
-    session.scene.settings.wants_subsurface = true;
-    context.diagnostics->unsupported(block.where, "subsurface", "surfaces are lit at their outside only");
 }
 
 void read_charset(Session& session, BlockReader& in) {
@@ -289,7 +252,7 @@ void read_global_settings(Session& session, const Block& block) {
         } else if (in.at_block("radiosity")) {
             read_radiosity(session, in.block("radiosity"), context);
         } else if (in.at_block("photons")) {
-            read_global_photons(session, in.block("photons"), context);
+            read_global_photons(session, in.block("photons"));
         } else if (in.at_block("subsurface")) {
             read_subsurface(session, in.block("subsurface"), context);
         } else if (!take_number(session, in)) {

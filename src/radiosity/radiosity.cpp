@@ -19,8 +19,9 @@ void BruteLight::gather(std::span<const IndirectPlace> places, int depth, std::s
     }
 }
 
-Radiosity::Radiosity(const World& world, const ShadingOptions& options, GiMode mode)
-    : rays_(world, options), brute_(rays_) {
+Radiosity::Radiosity(const World& world, const ShadingOptions& options, GiMode mode,
+                     std::shared_ptr<const PhotonLight> photons)
+    : rays_(world, options, std::move(photons)), brute_(rays_) {
     if (mode != GiMode::brute) cached_ = std::make_unique<CachedLight>(rays_, world.camera.location);
 }
 

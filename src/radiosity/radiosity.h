@@ -39,7 +39,9 @@ struct RadiosityReport {
 /// The indirect light of a scene with radiosity{}.
 class Radiosity {
 public:
-    Radiosity(const World& world, const ShadingOptions& options, GiMode mode);
+    /// `photons`: what surfaces show of them, or null.
+    Radiosity(const World& world, const ShadingOptions& options, GiMode mode,
+              std::shared_ptr<const PhotonLight> photons = nullptr);
 
     /// Before light() is asked. `longer_side`: of the picture, in pixels.
     void prepare(const PictureSurvey& survey, int longer_side, int threads);

@@ -92,8 +92,10 @@ Gradient RayGather::Cells::translation() const {
     return gradient;
 }
 
-RayGather::RayGather(const World& world, const ShadingOptions& options)
+RayGather::RayGather(const World& world, const ShadingOptions& options,
+                     std::shared_ptr<const PhotonLight> photons)
     : program_(world, options, RayPurpose::gather), coarse_grid_(fewest_rays) {
+    program_.photons = std::move(photons);
     for (int depth = 0; depth < settings().recursion_limit; ++depth) {
         const double count = rays_for(settings().count) * std::pow(0.5, depth);
         grids_.emplace_back(std::max(fewest_rays, static_cast<int>(count)));

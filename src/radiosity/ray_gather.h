@@ -30,7 +30,8 @@ struct GatherTask {
 class RayGather {
 public:
     /// `world` must outlive it, and have radiosity settings.
-    RayGather(const World& world, const ShadingOptions& options);
+    /// `photons`: what surfaces show of them, or null.
+    RayGather(const World& world, const ShadingOptions& options, std::shared_ptr<const PhotonLight> photons);
 
     const RadiositySettings& settings() const { return *program_.world.settings.radiosity; }
 

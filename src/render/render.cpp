@@ -36,14 +36,18 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
 
     ShadingOptions shading = options.shading;
     shading.indirect_light = options.gi != GiMode::off;
-    const Integrator integrator(world, shading);
+    Integrator integrator(world, shading);
+    if (world.settings.photons && options.shading.quality >= 9) {
+        integrator.show(
+            photon_light(integrator.program(), options.threads, options.seed, stop, result.photons));
+    }
     const PatternSettings patterns{world.settings.noise_generator, world.settings.number_of_waves};
     const CameraRays rays(world.camera, patterns, options.width, options.height);
     const Lens lens(world.camera, patterns);
     std::optional<Radiosity> radiosity;
     const IndirectLight* indirect = nullptr;
     if (ShadingProgram::has_indirect_light(world, shading)) {
-        radiosity.emplace(world, shading, options.gi);
+        radiosity.emplace(world, shading, options.gi, integrator.program().photons);
         radiosity->prepare(survey_of(integrator, rays, options), std::max(options.width, options.height),
                            options.threads);
         indirect = &radiosity->light();

@@ -1,5 +1,6 @@
 #pragma once
 #include "base/huge_pages.h"
+#include "photons/shoot.h"
 #include "radiosity/radiosity.h"
 #include "render/antialias.h"
 
@@ -40,6 +41,7 @@ struct RenderResult {
     Film film;
     RayCounters counters;
     std::optional<RadiosityReport> radiosity;
+    PhotonCounters photons;
     bool complete = true;  ///< false if `stop` ended it early; finished blocks are in the film
 };
 

@@ -55,6 +55,23 @@ public:
         number(1, "focal_distance", c.focal_distance, 1);
     }
 
+    void photons(int indent, const PhotonSettings& p) {
+        line(indent, fmt::format("photons spacing {:.9g} count {:.9g} gather {} {}", p.spacing, p.count,
+                                 p.gather_min, p.gather_max));
+        number(indent + 1, "jitter", p.jitter, 0.4);
+        number(indent + 1, "autostop", p.autostop, 0.5);
+        line(indent + 1, fmt::format("expand_thresholds {:.9g} {:.9g}", p.expand_increase, p.expand_count));
+        line(indent + 1,
+             fmt::format("radius {:.9g} {:.9g} {:.9g} {:.9g}", p.surface_radius.radius,
+                         p.surface_radius.multiplier, p.media_radius.radius, p.media_radius.multiplier));
+        if (p.media_steps > 0)
+            line(indent + 1, fmt::format("media {} {:.9g}", p.media_steps, p.media_factor));
+        number(indent + 1, "max_trace_level", p.max_trace_level, -1);
+        number(indent + 1, "adc_bailout", p.adc_bailout, -1);
+        if (!p.save_file.empty()) line(indent + 1, "save_file " + p.save_file);
+        if (!p.load_file.empty()) line(indent + 1, "load_file " + p.load_file);
+    }
+
     void light(int indent, const Light& l) {
         constexpr const char* kinds[] = {"point", "spotlight", "cylinder", "shadowless"};
         line(indent, fmt::format("light_source {} {} {}", kinds[static_cast<size_t>(l.kind)],
@@ -78,6 +95,8 @@ public:
         number(indent + 1, "fade_power", l.fade_power, 0);
         flag(indent + 1, "media_attenuation", l.media_attenuation);
         flag(indent + 1, "media_interaction off", !l.media_interaction);
+        photon_ways(indent + 1, l.photons.ways);
+        flag(indent + 1, "photons area_light", l.photons.from_area);
         if (l.looks_like) object(indent + 1, *l.looks_like, "looks_like ");
         if (l.projected_through) object(indent + 1, *l.projected_through, "projected_through ");
     }
@@ -192,6 +211,19 @@ private:
         flag(indent, "double_illuminate", o.double_illuminate);
         flag(indent, "sturm", o.sturm);
         if (o.hollow) line(indent, *o.hollow ? "hollow" : "hollow off");
+        number(indent, "photons target", static_cast<double>(o.photons.target), 0);
+        photon_ways(indent, o.photons.ways);
+        flag(indent, "photons collect off", !o.photons.collect);
+        flag(indent, "photons pass_through", o.photons.pass_through);
+    }
+
+    void photon_ways(int indent, const PhotonWays& ways) {
+        const auto way = [&](const char* name, PhotonSwitch value) {
+            if (value == PhotonSwitch::unsaid) return;
+            line(indent, fmt::format("photons {} {}", name, value == PhotonSwitch::on ? "on" : "off"));
+        };
+        way("refraction", ways.refraction);
+        way("reflection", ways.reflection);
     }
 
     void worn(int indent, std::string_view name, const WornTexture& worn) {
@@ -352,8 +384,8 @@ void dump_settings(Dumper& d, const Scene& scene) {
     d.number(1, "noise_generator", s.noise_generator, 2);
     d.number(1, "number_of_waves", s.number_of_waves, 10);
     if (s.radiosity) dump_radiosity(d, *s.radiosity);
-    d.flag(1, "photons", s.wants_photons);
-    d.flag(1, "subsurface", s.wants_subsurface);
+    if (s.photons) d.photons(1, *s.photons);
+    d.flag(1, "subsurface", s.subsurface.has_value());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "base/source.h"
 #include "math/transform.h"
 #include "scene/color.h"
+#include "scene/photons.h"
 
 #include <memory>
 
@@ -40,6 +41,7 @@ struct Light {
     double fade_power = 0;
     bool media_interaction = true;
     bool media_attenuation = false;
+    LightPhotons photons;
     std::shared_ptr<const Object> looks_like;
     std::shared_ptr<const Object> projected_through;
 };

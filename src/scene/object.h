@@ -100,6 +100,7 @@ struct Object {
     bool double_illuminate = false;
     bool sturm = false;
     std::optional<bool> hollow;
+    ObjectPhotons photons;
     float radiosity_importance = 1.0f;  ///< (0, 1]: share of the radiosity samples
 };
 

@@ -11,6 +11,12 @@
 
 namespace rb {
 
+/// `subsurface` of global_settings (manual 3.4.1.15).
+struct SubsurfaceSettings {
+    int diffuse_samples = 50;  ///< of the body's surface
+    int single_samples = 50;   ///< of the ray's way into the body
+};
+
 struct GlobalSettings {
     float adc_bailout = 1.0f / 255.0f;
     Rgb ambient_light{1.0f};
@@ -21,8 +27,8 @@ struct GlobalSettings {
     int number_of_waves = 10;
     double mm_per_unit = 10;
     std::optional<RadiositySettings> radiosity;
-    bool wants_photons = false;
-    bool wants_subsurface = false;
+    std::optional<PhotonSettings> photons;  ///< absent: there are none
+    std::optional<SubsurfaceSettings> subsurface;
 };
 
 struct SkySphere {

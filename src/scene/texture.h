@@ -86,6 +86,7 @@ struct Finish {
     float irid_amount = 0;
     float irid_thickness = 0;
     float irid_turbulence = 0;
+    std::optional<Rgb> translucency;  ///< of `subsurface`, in mm
     // Legacy items that override the interior's.
     std::optional<float> ior;
     std::optional<float> caustics;

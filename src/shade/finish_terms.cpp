@@ -65,20 +65,20 @@ double film_thickness(const FinishProgram& f, const Vec3& point, int noise_gener
            (1.0 + f.finish.irid_turbulence * (2.0 * turbulence(point, shape, noise_generator) - 1.0));
 }
 
+double fresnel_share(double cosine, double relative_ior) {
+    const double s = relative_ior * relative_ior + cosine * cosine - 1.0;
+    if (!(s > 0.0)) return 1.0;
+    const double g = std::sqrt(s);
+    const double a = (g - cosine) / (g + cosine);
+    const double b = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
+    return std::clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0);
+}
+
 Reflectivity reflectivity(const FinishProgram& f, double cosine, double relative_ior, const Rgb& pigment) {
     const Reflection& r = f.finish.reflection;
     Reflectivity result;
     if (r.fresnel) {
-        const double s = relative_ior * relative_ior + cosine * cosine - 1.0;
-        double share = 1.0;
-        if (s > 0.0) {
-            const double g = std::sqrt(s);
-            const double c = cosine;
-            const double a = (g - c) / (g + c);
-            const double b = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
-            share = std::clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0);
-        }
-        const auto k = static_cast<float>(share);
+        const auto k = static_cast<float>(fresnel_share(cosine, relative_ior));
         result.amount = k * r.max + (1.0f - k) * r.min;
         result.importance = std::max({result.amount.x, result.amount.y, result.amount.z});
     } else {

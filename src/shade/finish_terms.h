@@ -44,6 +44,10 @@ Rgb iridescence(const FinishProgram& finish, const Rgb& wavelength, double thick
 /// Film thickness at a point.
 double film_thickness(const FinishProgram& finish, const Vec3& point, int noise_generator);
 
+/// Share of unpolarized light that a boundary reflects, for the cosine between way and normal; 1 under total
+/// reflection.
+double fresnel_share(double cosine, double relative_ior);
+
 /// Light that a mirror returns, as a factor, and how much the mirrored ray matters.
 struct Reflectivity {
     Rgb amount{0.0f};

@@ -23,6 +23,12 @@ Integrator::Integrator(const World& world, const ShadingOptions& options)
 
 Integrator::~Integrator() = default;
 
+const ShadingProgram& Integrator::program() const { return program_->shading; }
+
+void Integrator::show(std::shared_ptr<const PhotonLight> photons) {
+    program_->shading.photons = std::move(photons);
+}
+
 void Integrator::trace(std::span<const CameraRay> rays, std::span<Radiance> out, RayCounters& counters,
                        const IndirectLight* indirect) const {
     thread_local StreamState state;

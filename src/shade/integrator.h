@@ -7,6 +7,9 @@
 
 namespace rb {
 
+class PhotonLight;
+struct ShadingProgram;
+
 /// What a camera ray brings back: light, and how much of the background shows through (1 = all), both in the
 /// scene's working space, unclamped.
 struct Radiance {
@@ -59,9 +62,14 @@ public:
     void trace(std::span<const CameraRay> rays, std::span<Radiance> out, RayCounters& counters,
                const IndirectLight* indirect = nullptr) const;
 
+    /// What it shades with; the same address for as long as the integrator lives.
+    const ShadingProgram& program() const;
+    /// Surfaces and media show these photons from now on. Not while tracing.
+    void show(std::shared_ptr<const PhotonLight> photons);
+
 private:
     struct Program;
-    std::unique_ptr<const Program> program_;
+    std::unique_ptr<Program> program_;
 };
 
 }  // namespace rb

@@ -168,14 +168,19 @@ double LightProgram::cylinder_cone(const Vec3& p) const {
     return cone;
 }
 
+double LightProgram::cone(const Vec3& p, const LightVector& way) const {
+    if (light_.kind == LightKind::spotlight) return spot_cone(way);
+    if (light_.kind == LightKind::cylinder) return cylinder_cone(p);
+    return 1.0;
+}
+
+double LightProgram::fading(double distance) const {
+    return fades_ ? 2.0 / (1.0 + std::pow(distance / light_.fade_distance, light_.fade_power)) : 1.0;
+}
+
 double LightProgram::cone_and_fading(const Vec3& p, const LightVector& way) const {
-    double factor = 1.0;
-    if (light_.kind == LightKind::spotlight) factor = spot_cone(way);
-    if (light_.kind == LightKind::cylinder) factor = cylinder_cone(p);
-    if (fades_ && factor != 0.0) {
-        factor *= 2.0 / (1.0 + std::pow(way.distance / light_.fade_distance, light_.fade_power));
-    }
-    return factor;
+    const double factor = cone(p, way);
+    return factor != 0.0 ? factor * fading(way.distance) : factor;
 }
 
 }  // namespace rb

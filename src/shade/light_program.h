@@ -74,6 +74,11 @@ public:
         return attenuates_ ? cone_and_fading(p, way) : 1.0;
     }
 
+    /// Of attenuation() the cone alone.
+    double cone(const Vec3& p, const LightVector& way) const;
+    /// Of attenuation() the fading alone.
+    double fading(double distance) const;
+
 private:
     void set_up_area(AreaLightMode mode);
     LightVector along_axis(const Vec3& p, const Vec3& offset) const;

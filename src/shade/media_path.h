@@ -18,6 +18,8 @@ public:
     /// Adds to `emission` of samples at these distances along the ray.
     virtual void add(std::span<const double> distances, std::span<const Vec3> points,
                      std::span<MediaSample> samples) = 0;
+    /// True if it adds light outside of the lit pieces, too.
+    virtual bool is_everywhere() const = 0;
 };
 
 /// Integrates media along a ray by the reference's methods (spec: shading 11). Where those draw random
@@ -48,7 +50,9 @@ private:
     struct Range;
 
     const Media& leading() const { return mix_.leading().media(); }
-    bool is_lit(const Interval& interval) const { return lighting_ && interval.lit; }
+    bool is_lit(const Interval& interval) const {
+        return lighting_ && (interval.lit || lighting_->is_everywhere());
+    }
     void pass(const MediaPiece& piece, int intervals, bool may_add_samples);
     Sample integral(const Interval& interval, bool may_add_samples);
     Sample constant(const Interval& interval);

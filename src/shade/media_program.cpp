@@ -97,6 +97,7 @@ void MediaMix::add(const MediumProgram& medium) {
     if (first || media.intervals > leading_->media().intervals) leading_ = &medium;
     is_constant_ = (first || is_constant_) && medium.is_constant();
     scatters_ = (!first && scatters_) || medium.scatters();
+    collects_ = (!first && collects_) || media.collect;
     aa_threshold_ = first ? threshold : std::min(aa_threshold_, threshold);
 }
 

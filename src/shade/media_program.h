@@ -42,6 +42,7 @@ public:
     bool empty() const { return media_.empty(); }
     bool is_constant() const { return is_constant_; }
     bool scatters() const { return scatters_; }
+    bool collects() const { return collects_; }  ///< photons, any of them
     /// The one with the most intervals, which decides how the way is sampled.
     const MediumProgram& leading() const { return *leading_; }
     float aa_threshold() const { return aa_threshold_; }
@@ -54,6 +55,7 @@ private:
     const MediumProgram* leading_ = nullptr;
     bool is_constant_ = true;
     bool scatters_ = false;
+    bool collects_ = false;
     float aa_threshold_ = 0;
 };
 

@@ -42,6 +42,23 @@ AirEffect MediaTracer::along(uint32_t ray_index, double length, std::span<const 
 void MediaTracer::add(std::span<const double> distances, std::span<const Vec3> points,
                       std::span<MediaSample> samples) {
     for (const LightSpan& span : spans_) add_light(span, distances, points, samples);
+    if (shows_photons()) add_photons(points, samples);
+}
+
+void MediaTracer::add_photons(std::span<const Vec3> points, std::span<MediaSample> samples) const {
+    Scratch::Scope scratch(thread_scratch());
+    const auto memory = scratch.take<NearPhoton>(program_.photons->capacity());
+    const Vec3& direction = state_.rays[ray_index_].ray.direction;
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (samples[i].scattering == Rgb(0.0f)) continue;
+        const GatheredPhotons found = program_.photons->around(points[i], memory);
+        Rgb sum(0.0f);
+        for (const NearPhoton& photon : found.photons) {
+            sum += mix_.phase(glm::dot(photon.direction, direction)) * photon.color;
+        }
+        if (!found.photons.empty())
+            samples[i].emission += samples[i].scattering * sum / static_cast<float>(found.extent);
+    }
 }
 
 void MediaTracer::add_light(const LightSpan& span, std::span<const double> distances,
@@ -53,6 +70,7 @@ void MediaTracer::add_light(const LightSpan& span, std::span<const double> dista
     HitPoint place;
     place.direction = ray.ray.direction;
     place.ray = ray_index_;
+    place.collects_photons = mix_.collects();
     for (size_t i = 0; i < points.size(); ++i) {
         if (distances[i] < span.from || distances[i] > span.to) continue;
         if (samples[i].scattering == Rgb(0.0f)) continue;

@@ -22,8 +22,11 @@ private:
     AirEffect along(uint32_t ray_index, double length, std::span<const uint32_t> lights, uint64_t purpose);
     void add(std::span<const double> distances, std::span<const Vec3> points,
              std::span<MediaSample> samples) override;
+    bool is_everywhere() const override { return shows_photons(); }
+    bool shows_photons() const { return program_.photons && program_.photons->in_media() && mix_.collects(); }
     void add_light(const LightSpan& span, std::span<const double> distances, std::span<const Vec3> points,
                    std::span<MediaSample> samples);
+    void add_photons(std::span<const Vec3> points, std::span<MediaSample> samples) const;
     const Candidates* candidates(const LightProgram& source, std::span<const Vec3> points);
 
     const ShadingProgram& program_;

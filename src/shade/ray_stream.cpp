@@ -60,7 +60,7 @@ void RayStream::start(std::span<const GatherRay> rays, int depth) {
     const int level = 3 * depth / 2;
     state_.depth = depth;
     state_.reach = unlimited;
-    state_.level_limit = std::max(settings.max_trace_level, level + 1);
+    state_.limits = {std::max(settings.max_trace_level, level + 1), program_.adc_bailout};
     const float brightness = settings.radiosity ? settings.radiosity->brightness : 1.0f;
     const float importance =
         std::max(program_.adc_bailout, std::pow(0.5f * brightness, static_cast<float>(depth)));
@@ -82,7 +82,7 @@ void RayStream::start(std::span<const GatherRay> rays, int depth) {
 void RayStream::start(std::span<const CameraRay> rays) {
     clear(rays.size());
     state_.depth = 0;
-    state_.level_limit = program_.world.settings.max_trace_level;
+    state_.limits = {program_.world.settings.max_trace_level, program_.adc_bailout};
     const MeshCamera* mesh = program_.world.camera.mesh.get();
     state_.reach = mesh && mesh->max_distance > 0.0 ? std::nextafter(mesh->max_distance, 0.0) : unlimited;
     if (!(1.0f >= program_.adc_bailout)) return;
@@ -148,7 +148,7 @@ void RayStream::intersect() {
     shade_sky(misses.first(miss_count));
 }
 
-uint8_t RayStream::mask_of(const PathRay& ray) const {
+uint16_t RayStream::mask_of(const PathRay& ray) const {
     return program_.ray_masks[ray.reflected ? 2 : (ray.refracted ? 1 : 0)];
 }
 
@@ -158,7 +158,7 @@ const Candidates* RayStream::candidates(std::span<const PathRay> rays) {
     if (!program_.options.skip_unneeded || rays.size() < fewest) return nullptr;
     Bounds origins;
     Bounds directions;
-    uint8_t mask = 0;
+    uint16_t mask = 0;
     for (const PathRay& ray : rays) {
         origins.include(ray.ray.origin);
         directions.include(ray.ray.direction);
@@ -212,6 +212,7 @@ void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgr
     kept.uv_mapping = surface.uv_mapping;
     kept.double_illuminate = surface.double_illuminate;
     kept.from_inside = from_inside;
+    kept.collects_photons = surface.photons.collect;
     if (!surface.needs_uv) return;
     if (state_.uv.size() <= index) state_.uv.resize(index + 1);
     state_.uv[index] = program_.geometry.uv(hit);

@@ -29,21 +29,26 @@ public:
     /// shading spec 13.3.
     void gather(std::span<const GatherRay> rays, int depth, std::span<GatheredLight> out);
 
+protected:
+    void add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgram& surface, const Rgb& weight,
+                   float alpha);
+    void shade_hits();
+
+    const ShadingProgram& program_;
+    StreamState& state_;
+
 private:
     void clear(size_t slots);
     void start(std::span<const CameraRay> rays);
     void start(std::span<const GatherRay> rays, int depth);
     void note_distances(std::span<GatheredLight> out) const;
     void run_wave();
-    uint8_t mask_of(const PathRay& ray) const;
+    uint16_t mask_of(const PathRay& ray) const;
     void intersect();
     const Candidates* candidates(std::span<const PathRay> rays);
     void add_hit(uint32_t ray_index, const Hit& hit);
-    void add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgram& surface, const Rgb& weight,
-                   float alpha);
     std::span<const uint32_t> group_hits(Scratch::Scope& memory);
     void shade_sky(std::span<const uint32_t> misses);
-    void shade_hits();
     void fill_samples();
     void pass(const PathRay& ray, const AirEffect& effect, Rgb& weight, float& alpha);
     std::span<const uint32_t> lights_on(const Hit& hit) const;
@@ -53,8 +58,6 @@ private:
                     float& alpha);
     void add_powers();
 
-    const ShadingProgram& program_;
-    StreamState& state_;
     MediaTracer media_;
     Candidates candidates_;            ///< of the rays at hand
     std::vector<SurfaceWeight> worn_;  ///< of the hit at hand

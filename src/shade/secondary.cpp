@@ -13,8 +13,17 @@ namespace {
 
 constexpr double straight = 1e-10;
 
+Rgb raised(const Rgb& c, float power) {
+    return {std::pow(c.x, power), std::pow(c.y, power), std::pow(c.z, power)};
+}
+
 /// What the random numbers of child rays are drawn for.
-enum Purpose : uint64_t { purpose_transmit = 1, purpose_reflect = 2, purpose_band = 100 };
+enum Purpose : uint64_t {
+    purpose_transmit = 1,
+    purpose_reflect = 2,
+    purpose_through = 3,
+    purpose_band = 100
+};
 
 }  // namespace
 
@@ -86,13 +95,15 @@ PathRay& SecondaryRays::add_child(const HitPoint& hit, uint64_t purpose) {
     ray.weight = hit.weight;
     ray.alpha = hit.alpha;
     ray.seed = mixed(parent.seed, purpose);
-    ray.level = static_cast<uint16_t>(parent.level + (parent.continuation ? 0 : 1));
+    // Of photons going straight on costs a level, too (measured).
+    const bool is_free = parent.continuation && !state_.carries_photons;
+    ray.level = static_cast<uint16_t>(parent.level + (is_free ? 0 : 1));
     ray.continuation = false;
     return ray;
 }
 
 bool SecondaryRays::worth_following(const PathRay& ray) const {
-    return ray.level < state_.level_limit && !(ray.importance < program_.adc_bailout);
+    return ray.level < state_.limits.max_trace_level && !(ray.importance < state_.limits.adc_bailout);
 }
 
 bool SecondaryRays::keep_or_drop(const PathRay& ray) {
@@ -114,7 +125,8 @@ bool SecondaryRays::transmit(const HitPoint& hit, const Transmission& what) {
     Rgb fade(what.finish->finish.refraction);
     const Interior& interior = program_.world.interiors[hit.interior].interior;
     const auto list = state_.interiors.view(parent.inside);
-    if (std::abs(interior.fade_distance) > straight &&
+    // Photons have faded when they arrive.
+    if (!state_.carries_photons && std::abs(interior.fade_distance) > straight &&
         std::find(list.begin(), list.end(), hit.interior) != list.end()) {
         fade *= interior_fade(interior, hit.t);
     }
@@ -194,10 +206,25 @@ void SecondaryRays::disperse(const HitPoint& hit, const Transmission& what, cons
 
 Rgb SecondaryRays::film(const HitPoint& hit, const FinishProgram& finish, const Vec3& normal,
                         const Vec3& out) const {
-    if (!(finish.finish.irid_amount > 0.0f)) return Rgb(1.0f);
+    if (!(finish.finish.irid_amount > 0.0f) || state_.carries_photons) return Rgb(1.0f);
     const double thickness = film_thickness(finish, hit.point, program_.patterns.noise_generator);
     const double cosines = std::abs(glm::dot(normal, out)) + std::abs(glm::dot(normal, hit.direction));
     return iridescence(finish, program_.world.settings.irid_wavelength, thickness, cosines);
+}
+
+void SecondaryRays::pass_on(const HitPoint& hit, const HitPoint& exit, const Vec3& direction,
+                            const Rgb& weight) {
+    PathRay& ray = add_child(hit, purpose_through);
+    ray.ray = {exit.point, direction};
+    ray.origin_leaf = exit.leaf;
+    ray.origin_part = exit.part;
+    ray.origin_member = exit.member;
+    ray.origin_error = exit.error;
+    ray.refracted = true;
+    ray.importance = state_.ray_of(hit).importance * std::max({weight.x, weight.y, weight.z});
+    ray.weight *= weight;
+    ray.alpha = 0;
+    keep_or_drop(ray);
 }
 
 void SecondaryRays::reflect(const HitPoint& hit, const MirrorRecord& mirror) {
@@ -212,6 +239,8 @@ void SecondaryRays::reflect(const HitPoint& hit, const MirrorRecord& mirror) {
     const Rgb weight = ray.weight * mirror.amount * mirror.share;
     if (exponent == 1.0f) {
         ray.weight = weight * tint;
+    } else if (state_.carries_photons) {
+        ray.weight = raised(ray.weight, 1.0f / exponent) * mirror.amount * mirror.share;
     } else {
         const auto slot = static_cast<uint32_t>(state_.slots.size());
         state_.slots.emplace_back();

@@ -34,6 +34,8 @@ public:
     /// True under total internal reflection.
     bool transmit(const HitPoint& hit, const Transmission& what);
     void reflect(const HitPoint& hit, const MirrorRecord& mirror);
+    /// The ray goes on from another place of the body's surface, with so much of its weight.
+    void pass_on(const HitPoint& hit, const HitPoint& exit, const Vec3& direction, const Rgb& weight);
 
 private:
     struct Crossing;

@@ -45,7 +45,9 @@ ShadingProgram::ShadingProgram(const World& world_to_shade, const ShadingOptions
 void ShadingProgram::add_surfaces() {
     const bool replaces_ambient = has_indirect_light(world, options) && !before_37;
     const Rgb ambient = replaces_ambient ? Rgb(0.0f) : world.settings.ambient_light;
-    TextureCompiler compiler({patterns, ambient, options.quality, purpose == RayPurpose::picture});
+    TextureCompiler compiler(
+        {patterns, ambient, options.quality, purpose == RayPurpose::picture,
+         purpose == RayPurpose::picture && options.quality >= 9 && world.settings.subsurface.has_value()});
     tracks_interiors = has_air() || media.fills_interiors() || !options.skip_unneeded;
     needs_samples = !options.skip_unneeded;
     std::unordered_map<const TextureLayers*, uint32_t> known;
@@ -73,6 +75,7 @@ void ShadingProgram::add_surfaces() {
         program.interior_look =
             surface.interior_texture ? compiled(*surface.interior_texture, lit_by) : program.look;
         program.interior = surface.interior;
+        program.photons = surface.photons;
         program.uv_mapping = surface.uv_mapping;
         program.double_illuminate = surface.double_illuminate;
         const bool asked = textures[looks[program.look].texture].needs_surface ||

@@ -4,6 +4,7 @@
 #include "shade/integrator.h"
 #include "shade/light_program.h"
 #include "shade/media_program.h"
+#include "shade/photon_light.h"
 #include "shade/rainbow.h"
 #include "shade/sky.h"
 #include "shade/texture_program.h"
@@ -25,6 +26,7 @@ struct SurfaceProgram {
     bool uv_mapping = false;
     bool double_illuminate = false;
     bool needs_uv = false;  ///< of either look
+    PhotonRole photons;
 };
 
 /// Whom a program serves: rays of the picture, or rays that gather indirect light. To those highlights are
@@ -49,7 +51,7 @@ struct ShadingProgram {
     float adc_bailout;
     bool has_air_effects;  ///< fog, rainbows and media act
     /// SurfaceMask bits of straight rays, refracted ones, and those that were reflected.
-    std::array<uint8_t, 3> ray_masks{seen_by_image, seen_by_image, seen_by_reflection};
+    std::array<uint16_t, 3> ray_masks{seen_by_image, seen_by_image, seen_by_reflection};
     PatternSettings patterns;
     bool before_37 = false;  ///< the older rules for opacity and sky
     std::vector<TextureProgram> textures;
@@ -66,8 +68,9 @@ struct ShadingProgram {
     FogProgram fog;
     RainbowProgram rainbow;
     MediaProgram media;
+    std::shared_ptr<const PhotonLight> photons;  ///< null until there are any
 
-    uint8_t shadow_mask = 0;  ///< which kinds of leaves shadow rays can meet at all
+    uint16_t shadow_mask = 0;  ///< which kinds of leaves shadow rays can meet at all
     bool tracks_interiors = false;
     std::vector<uint32_t> camera_interiors;
 
@@ -78,6 +81,8 @@ struct ShadingProgram {
     const SurfaceProgram& surface_of(const Hit& hit) const {
         return surfaces[geometry.surface_of(hit.leaf, hit.crossing.member)];
     }
+
+    bool shows_photons() const { return photons && photons->on_surfaces(); }
 
     /// The list of the lights that shine where a surface is.
     static uint32_t list_of(const LightChoice& lights) { return 2 * lights.group + (lights.global ? 0 : 1); }

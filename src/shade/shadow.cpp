@@ -157,16 +157,24 @@ Rgb ShadowTracer::through_air(const LightProgram& light, const HitPoint& from, c
     return color * air_filter(ray, distance, state_.interiors.view(seen.inside), false, seen.seed);
 }
 
+/// What a target bends is brought by photons, not by shadow rays.
+bool ShadowTracer::is_left_to_photons(const Light& light, const Hit& blocker) const {
+    const PhotonRole& role = program_.surface_of(blocker).photons;
+    return role.target != no_target && photons_pass(light.photons.ways.refraction, role.ways.refraction);
+}
+
 /// `distance`: to the light; what is behind the query's end is air alone.
 Rgb ShadowTracer::filtered(const LightProgram& light, const HitPoint& from, RayQuery query, double distance,
                            Rgb color, const Candidates* candidates) {
     const bool dimmed = is_dimmed(light.light());
+    const bool collects = program_.shows_photons() && from.collects_photons;
     const uint64_t seed = state_.ray_of(from).seed;
     const auto view = state_.interiors.view(state_.ray_of(from).inside);
     thread_local std::vector<uint32_t> inside;
     inside.assign(view.begin(), view.end());
     Hit hit;
     while (program_.geometry.closest(query, hit, candidates)) {
+        if (collects && is_left_to_photons(light.light(), hit)) return Rgb(0.0f);
         color *= filter_of(hit, query.ray, inside);
         if (program_.media.fills_interiors() && !inside.empty()) {
             color *= media_filter(query.ray, hit.t, inside, seed);
@@ -224,13 +232,7 @@ Rgb ShadowTracer::filter_of(const Hit& hit, const Ray& ray, std::span<const uint
     for (const auto& [worn, share] : worn_) {
         filter += share * surface_filter(program_.surfaces[worn], hit, ray.direction);
     }
-    const uint32_t own = program_.surface_of(hit).interior;
-    const Interior& interior = program_.world.interiors[own].interior;
-    const bool leaves = std::find(inside.begin(), inside.end(), own) != inside.end();
-    if (leaves && interior.fade_power > 0.0 && std::abs(interior.fade_distance) > 1e-10) {
-        filter *= interior_fade(interior, hit.t);
-    }
-    return filter;
+    return filter * fade_of(hit, inside);
 }
 
 Rgb ShadowTracer::surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction) {

@@ -2,9 +2,14 @@
 #include "shade/area_sampler.h"
 #include "shade/stream_state.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace rb {
+
+/// Distance attenuation of an interior (manual 3.4.7.5).
+Rgb interior_fade(const Interior& interior, double distance);
 
 /// Follows shadow rays from lit points to lights.
 class ShadowTracer {
@@ -23,6 +28,21 @@ public:
     /// True if no shadow ray from a hit to the light can meet the hit's own surface.
     bool leaves_for_good(const LightProgram& light, const HitPoint& hit, const LightVector& to_center) const;
 
+    // What is left of light that comes along a ray, from inside of `inside`:
+
+    /// of a surface that it crosses, the fading in the interior that it leaves there included;
+    Rgb filter_of(const Hit& hit, const Ray& ray, std::span<const uint32_t> inside);
+    /// by that fading alone;
+    Rgb fade_of(const Hit& hit, std::span<const uint32_t> inside) const {
+        const uint32_t own = program_.surface_of(hit).interior;
+        const Interior& interior = program_.world.interiors[own].interior;
+        const bool fades = interior.fade_power > 0.0 && std::abs(interior.fade_distance) > 1e-10;
+        if (!fades || std::ranges::find(inside, own) == inside.end()) return Rgb(1.0f);
+        return interior_fade(interior, hit.t);
+    }
+    /// by the media of interiors.
+    Rgb media_filter(const Ray& ray, double length, std::span<const uint32_t> inside, uint64_t seed);
+
 private:
     struct Grid;
     struct GridCorner;
@@ -36,8 +56,7 @@ private:
                     const Rgb& color);
     Rgb filtered(const LightProgram& light, const HitPoint& from, RayQuery query, double distance, Rgb color,
                  const Candidates* candidates);
-    Rgb filter_of(const Hit& hit, const Ray& ray, std::span<const uint32_t> inside);
-    Rgb media_filter(const Ray& ray, double length, std::span<const uint32_t> inside, uint64_t seed);
+    bool is_left_to_photons(const Light& light, const Hit& blocker) const;
     bool are_hollow(std::span<const uint32_t> interiors) const;
     Rgb air_filter(const Ray& ray, double length, std::span<const uint32_t> inside, bool ends_on_surface,
                    uint64_t seed);
@@ -62,8 +81,5 @@ private:
 Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place,
                    std::span<const Warp> transform, const Vec3& normal, const Vec3& light_direction,
                    double caustics);
-
-/// Distance attenuation of an interior (manual 3.4.7.5).
-Rgb interior_fade(const Interior& interior, double distance);
 
 }  // namespace rb

@@ -72,6 +72,7 @@ struct HitPoint {
     bool uv_mapping = false;
     bool double_illuminate = false;
     bool from_inside = false;  ///< the normal was turned
+    bool collects_photons = true;
 };
 
 /// Light added up for a pixel, or for a mirror whose light is raised to a power before it counts.
@@ -86,6 +87,18 @@ struct PowerSlot {
     float power = 1;
 };
 
+/// How far rays are followed.
+struct RayLimits {
+    int max_trace_level = 5;
+    float adc_bailout = 1.0f / 255.0f;
+};
+
+/// Where photons may go from a hit.
+struct PhotonPermit {
+    bool refraction = false;
+    bool reflection = false;
+};
+
 /// The working state of one Integrator::trace call.
 struct StreamState {
     std::vector<PathRay> rays;
@@ -95,12 +108,16 @@ struct StreamState {
     std::vector<PowerSlot> power_slots;
     InteriorPool interiors;
     double reach = 0;                         ///< length of the current wave's rays
-    int level_limit = 0;                      ///< rays of this level are not followed
     const IndirectLight* indirect = nullptr;  ///< asked for the indirect light of hits; or null
     int depth = 0;                            ///< diffuse surfaces between the hits and the eye
     std::vector<uint32_t> look_counts;        ///< all 0 between waves
     std::vector<uint32_t> blockers;           ///< per light sample, the leaf that blocked it last
     RayCounters counters;
+    RayLimits limits;
+
+    /// The rays come from lights: their weight is the light that they bring, and what they meet is not lit.
+    bool carries_photons = false;
+    std::vector<PhotonPermit> permits;  ///< of the hits, with `carries_photons`
 
     // Surface samples of the hits, for patterns that ask.
     std::vector<Vec3> points;
@@ -110,7 +127,7 @@ struct StreamState {
     SurfaceSamples samples() const { return {points, seen_normals, directions, uv}; }
 
     /// From a hit along a direction.
-    static RayQuery query_from(const HitPoint& hit, const Vec3& direction, double t_max, uint8_t mask) {
+    static RayQuery query_from(const HitPoint& hit, const Vec3& direction, double t_max, uint16_t mask) {
         RayQuery query{{hit.point, direction}, t_max, mask, hit.leaf, hit.error};
         query.origin_part = hit.part;
         query.origin_member = hit.member;
@@ -131,6 +148,9 @@ struct StreamState {
     }
 
     const PathRay& ray_of(const HitPoint& hit) const { return rays[hit.ray]; }
+
+    bool may_refract(uint32_t hit) const { return !carries_photons || permits[hit].refraction; }
+    bool may_reflect(uint32_t hit) const { return !carries_photons || permits[hit].reflection; }
 };
 
 }  // namespace rb

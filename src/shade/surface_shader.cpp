@@ -70,7 +70,7 @@ void SurfaceShader::shade_rows(const TextureProgram& texture, const Rows& rows, 
     if (state_.indirect) forget_indirect(rows);
     if (texture.is_patterned()) {
         shade_children(texture, rows, enclosing, memory);
-    } else if (texture.layers.size() == 1 && program_.adc_bailout < 1.0f) {
+    } else if (texture.layers.size() == 1 && state_.limits.adc_bailout < 1.0f) {
         shade_single(texture.layers.front(), rows, enclosing, memory);
     } else {
         shade_layers(texture, rows, enclosing, memory);
@@ -141,7 +141,7 @@ void SurfaceShader::shade_layers(const TextureProgram& texture, const Rows& rows
     for (const LayerProgram& layer : texture.layers) {
         size_t active_count = 0;
         for (size_t i = 0; i < count; ++i) {
-            if (stack.through[i] > program_.adc_bailout) {
+            if (stack.through[i] > state_.limits.adc_bailout) {
                 active[active_count++] = static_cast<uint32_t>(i);
             }
         }
@@ -258,10 +258,27 @@ SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, co
         }
         row.light = Rgb(0.0f);
     }
-    if (finish.takes_light && program_.options.quality > 1)
+    if (finish.takes_light && program_.options.quality > 1 && !state_.carries_photons) {
         light_.add(finish, layer_rows.lit, lights_, shadows);
+        if (program_.shows_photons()) photons_.add(finish, layer_rows.lit);
+    }
+    if (finish.is_translucent && !state_.carries_photons) {
+        for (LitRow& row : layer_rows.lit) {
+            const HitPoint& hit = state_.hits[row.hit];
+            row.light += subsurface_.at(hit, row.place.normal, finish, row.place.pigment,
+                                        secondary_.relative_ior(hit, finish), lights_);
+        }
+    }
     if (state_.indirect && finish.takes_indirect_light) add_indirect(finish, layer_rows.lit, filters);
     return layer_rows;
+}
+
+/// What a translucent body lets through of what is behind it.
+void SurfaceShader::go_straight_through(const LayerProgram& layer, const LitRow& lit, const Rgb& weight) {
+    const HitPoint& hit = state_.hits[lit.hit];
+    const auto passage = subsurface_.straight_through(hit, lit.place.normal, *layer.finish, lit.place.pigment,
+                                                      secondary_.relative_ior(hit, *layer.finish));
+    if (passage) secondary_.pass_on(hit, passage->exit, passage->direction, weight * passage->left);
 }
 
 /// A texture of a single layer, which most are: nothing to stack.
@@ -272,6 +289,9 @@ void SurfaceShader::shade_single(const LayerProgram& layer, const Rows& rows, Ch
     for (size_t i = 0; i < rows.size(); ++i) {
         const HitPoint& hit = state_.hits[rows.hits[i]];
         state_.slots[state_.ray_of(hit).slot].rgb += hit.weight * rows.shares[i] * own_light(layer, lit[i]);
+    }
+    if (layer.finish->is_translucent) {
+        for (size_t i = 0; i < rows.size(); ++i) go_straight_through(layer, lit[i], Rgb(rows.shares[i]));
     }
     const bool mirrors = layer.finish->reflects;
     for (size_t i = 0; i < rows.size(); ++i) {
@@ -284,11 +304,13 @@ void SurfaceShader::shade_single(const LayerProgram& layer, const Rows& rows, Ch
         const Rgb filter = passed(pigments[i]) * kept(layer, mirror);
         const float through = std::min(1.0f, std::abs(grey(filter)));
         bool total_reflection = false;
-        if (through > program_.adc_bailout && program_.options.quality >= 6) {
+        if (through > state_.limits.adc_bailout && program_.options.quality >= 6 &&
+            state_.may_refract(rows.hits[i])) {
             total_reflection =
                 secondary_.transmit(hit, {layer.finish.get(), normal, filter, through, rows.shares[i]});
         }
-        if (mirror.amount != Rgb(0.0f) && !total_reflection) secondary_.reflect(hit, mirror);
+        if (mirror.amount != Rgb(0.0f) && !total_reflection && state_.may_reflect(rows.hits[i]))
+            secondary_.reflect(hit, mirror);
     }
 }
 
@@ -316,6 +338,8 @@ void SurfaceShader::shade_layer(const LayerProgram& layer, const Rows& rows, std
         } else {
             stack.color[row] += stack.filter[row] * own_light(layer, lit[i]);
         }
+        if (layer.finish->is_translucent)
+            go_straight_through(layer, lit[i], stack.filter[row] * rows.shares[row]);
         MirrorRecord mirror;
         if (layer.finish->reflects) {
             mirror = mirror_of(layer, lit[i], stack.through[row], rows.shares[row]);
@@ -335,7 +359,9 @@ MirrorRecord SurfaceShader::mirror_of(const LayerProgram& layer, const LitRow& l
     const bool fresnel = layer.finish->finish.reflection.fresnel;
     const double ior = fresnel ? secondary_.relative_ior(hit, *layer.finish) : 1.0;
     const Reflectivity r = reflectivity(*layer.finish, cosine, ior, lit.place.pigment);
-    const float importance = state_.ray_of(hit).importance * through * r.importance;
+    float importance = state_.ray_of(hit).importance * through * r.importance;
+    // Measured: mirrored photons are given up by the square.
+    if (state_.carries_photons) importance *= r.importance;
     return {0, layer.finish.get(), lit.place.normal, r.amount, importance, share};
 }
 
@@ -358,11 +384,13 @@ void SurfaceShader::send_on(const TextureProgram& texture, const Rows& rows, con
     for (size_t i = 0; i < rows.size(); ++i) {
         const HitPoint& hit = state_.hits[rows.hits[i]];
         bool total_reflection = false;
-        if (stack.through[i] > program_.adc_bailout && program_.options.quality >= 6) {
+        if (stack.through[i] > state_.limits.adc_bailout && program_.options.quality >= 6 &&
+            state_.may_refract(rows.hits[i])) {
             total_reflection =
                 secondary_.transmit(hit, {texture.layers.front().finish.get(), stack.top_normal[i],
                                           stack.filter[i], stack.through[i], rows.shares[i]});
         }
+        if (!state_.may_reflect(rows.hits[i])) continue;
         for (size_t k = first[i]; k < stack.mirror_count; k = next[k]) {
             const MirrorRecord& mirror = stack.mirrors[k];
             if (mirror.amount == Rgb(0.0f)) continue;

@@ -1,6 +1,8 @@
 #pragma once
 #include "shade/direct_light.h"
+#include "shade/photon_shading.h"
 #include "shade/secondary.h"
+#include "shade/subsurface.h"
 
 namespace rb {
 
@@ -9,7 +11,12 @@ namespace rb {
 class SurfaceShader {
 public:
     SurfaceShader(const ShadingProgram& program, StreamState& state)
-        : program_(program), state_(state), light_(program, state), secondary_(program, state) {}
+        : program_(program),
+          state_(state),
+          light_(program, state),
+          subsurface_(program, state),
+          photons_(program, state),
+          secondary_(program, state) {}
 
     /// `hits`: indices into StreamState::hits.
     void shade(const Look& look, std::span<const uint32_t> hits);
@@ -45,6 +52,7 @@ private:
     MirrorRecord mirror_of(const LayerProgram& layer, const LitRow& lit, float through, float share) const;
     static Rgb kept(const LayerProgram& layer, const MirrorRecord& mirror);
     void send_on(const TextureProgram& texture, const Rows& rows, const LayerStack& stack);
+    void go_straight_through(const LayerProgram& layer, const LitRow& lit, const Rgb& weight);
     Rgb own_light(const LayerProgram& layer, const LitRow& lit) const;
     void forget_indirect(const Rows& rows);
     void add_indirect(const FinishProgram& finish, std::span<LitRow> rows, std::span<const Rgb> filters);
@@ -53,6 +61,8 @@ private:
     const ShadingProgram& program_;
     StreamState& state_;
     DirectLight light_;
+    SubsurfaceLight subsurface_;
+    PhotonShading photons_;
     SecondaryRays secondary_;
     std::span<const uint32_t> lights_;  ///< that shine on the hits at hand
     Indirect indirect_;                 ///< of the group at hand, if anybody is asked

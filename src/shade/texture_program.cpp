@@ -26,6 +26,8 @@ FinishProgram::FinishProgram(const Finish& written, const TextureSettings& setti
       roughness(static_cast<double>(written.roughness_exponent)) {
     own_light = written.ambient * settings.ambient_light + written.emission;
     if (!settings.highlights) finish.phong = finish.specular = 0;
+    is_translucent = settings.subsurface && written.translucency.has_value();
+    if (is_translucent) finish.diffuse = finish.diffuse_back = 0.0f;
     takes_light = finish.diffuse != 0.0f || finish.diffuse_back != 0.0f || finish.phong != 0.0f ||
                   finish.specular != 0.0f;
     takes_indirect_light = finish.raw_diffuse != 0.0f || finish.raw_diffuse_back != 0.0f;

@@ -16,6 +16,7 @@ struct TextureSettings {
     Rgb ambient_light{1.0f};
     int quality = 9;
     bool highlights = true;
+    bool subsurface = false;  ///< light goes through bodies whose finish says so
 };
 
 /// A finish with what its formulas need worked out once (manual 3.4.6.3).
@@ -28,6 +29,7 @@ struct FinishProgram {
     bool takes_indirect_light = false;
     bool has_highlights = false;
     bool reflects = false;
+    bool is_translucent = false;      ///< light from within takes the place of diffuse light
     float reflection_importance = 0;  ///< largest component of min and max
     double phong_threshold = 0;       ///< smaller cosines give nothing that could be seen
     double specular_threshold = 0;

@@ -70,14 +70,15 @@ TEST_F(Check, NothingMissing) {
 }
 
 TEST_F(Check, ListsWhatIsMissing) {
-    const std::string ball = "sphere { 0, 1 finish { subsurface { translucency 1 } } }\n";
-    const Outcome done = check(ball + "global_settings { photons { count 9 } }\n" + ball);
+    const std::string ball = "sphere { 0, 1 finish { subsurface { anisotropy 1 } } }\n";
+    const Outcome done = check(ball + "global_settings { subsurface { radiosity on } }\n" + ball);
     EXPECT_EQ(done.code, 1);
-    EXPECT_TRUE(has(done.out, "scene.pov:2:24: subsurface: the surface is drawn without it (2 places)\n"))
+    EXPECT_TRUE(
+        has(done.out, "scene.pov:2:37: anisotropy: light is scattered in all directions alike (2 places)\n"))
         << done.out;
-    EXPECT_TRUE(has(done.out, "scene.pov:3:19: photons: light goes straight through transparent objects\n"))
+    EXPECT_TRUE(has(done.out, "scene.pov:3:32: radiosity of subsurface: lights alone shine into bodies\n"))
         << done.out;
-    EXPECT_FALSE(has(done.err, "photons")) << done.err;
+    EXPECT_FALSE(has(done.err, "subsurface")) << done.err;
 }
 
 TEST_F(Check, ErrorsAreShown) {

@@ -139,7 +139,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Invariance,
                                          "shapes/mesh2", "lights/area_jitter", "antialias/method1",
                                          "antialias/method2", "transparency/refraction", "textures/layered",
                                          "language/macros", "media/scattering", "media/air", "media/methods",
-                                         "radiosity/cornell_box", "radiosity/thin_walls"),
+                                         "photons/glass", "photons/media", "radiosity/cornell_box",
+                                         "radiosity/thin_walls"),
                          [](const auto& i) { return flat(i.param); });
 
 /// Meshes instead of exact shapes: the same picture within the error of the meshes.
