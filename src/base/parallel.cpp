@@ -16,6 +16,13 @@ void parallel_for(size_t count, int threads, const std::function<void(size_t)>& 
     arena.execute([&] { tbb::parallel_for(size_t{0}, count, body, tbb::simple_partitioner{}); });
 }
 
+void parallel_for(size_t count, int threads, const std::atomic<bool>& stop,
+                  const std::function<void(size_t)>& body) {
+    parallel_for(count, threads, [&](size_t i) {
+        if (!stop.load(std::memory_order_relaxed)) body(i);
+    });
+}
+
 void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
     tbb::parallel_invoke(a, b);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <cstddef>
 #include <functional>
 
@@ -8,6 +9,10 @@ namespace rb {
 /// of calls is unspecified. An exception thrown by a body stops the rest and is thrown again here. The home
 /// of oneTBB.
 void parallel_for(size_t count, int threads, const std::function<void(size_t)>& body);
+
+/// The same; what has not begun when `stop` becomes true is left out.
+void parallel_for(size_t count, int threads, const std::atomic<bool>& stop,
+                  const std::function<void(size_t)>& body);
 
 /// Runs both, possibly at the same time, and waits for both. May be nested.
 void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b);

@@ -58,7 +58,7 @@ Hit Compound::lowered(const Vec3& p, const Crossing& at) const {
     return hit;
 }
 
-RayQuery Compound::query_of(const ShapeRay& ray, uint16_t mask, uint32_t member) const {
+RayQuery Compound::query_of(const ShapeRay& ray, RayMask mask, uint32_t member) const {
     RayQuery query;
     query.ray = ray.ray;
     query.t_max = ray.t_max;
@@ -74,7 +74,7 @@ RayQuery Compound::query_of(const ShapeRay& ray, uint16_t mask, uint32_t member)
     return query;
 }
 
-bool Compound::closest_of(const ShapeRay& ray, uint16_t mask, uint32_t member, Crossing& nearest) const {
+bool Compound::closest_of(const ShapeRay& ray, RayMask mask, uint32_t member, Crossing& nearest) const {
     const RayQuery query = query_of(ray, mask, member);
     const Search search(*geometry_->parts, query, ray);
     Hit hit;
@@ -84,7 +84,7 @@ bool Compound::closest_of(const ShapeRay& ray, uint16_t mask, uint32_t member, C
     return true;
 }
 
-bool Compound::any_of(const ShapeRay& ray, uint16_t mask, uint32_t member, Crossing& found) const {
+bool Compound::any_of(const ShapeRay& ray, RayMask mask, uint32_t member, Crossing& found) const {
     const RayQuery query = query_of(ray, mask, member);
     const Search search(*geometry_->parts, query, ray);
     const uint32_t element = search.any(nullptr, no_leaf, found);

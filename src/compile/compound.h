@@ -15,14 +15,14 @@ public:
     static bool is_texture_of_copy(const TexturePtr& texture);
 
     const CompoundLooks& looks() const { return looks_; }
-    uint16_t mask() const { return geometry_->parts->all_masks; }
+    RayMask mask() const { return geometry_->parts->all_masks; }
     /// How many surfaces Crossing::member tells apart.
     uint32_t member_count() const { return member_count_; }
 
     /// As Shape::closest() and any(), among surfaces with one of the mask's bits. `member`: where the ray
     /// starts, if it starts on this very copy.
-    bool closest_of(const ShapeRay& ray, uint16_t mask, uint32_t member, Crossing& nearest) const;
-    bool any_of(const ShapeRay& ray, uint16_t mask, uint32_t member, Crossing& found) const;
+    bool closest_of(const ShapeRay& ray, RayMask mask, uint32_t member, Crossing& nearest) const;
+    bool any_of(const ShapeRay& ray, RayMask mask, uint32_t member, Crossing& found) const;
 
     /// Of a hit on a member.
     ElementError error_of(uint32_t member) const;
@@ -51,7 +51,7 @@ private:
     /// The hit in terms of the geometry's own leaves.
     Hit lowered(const Vec3& p, const Crossing& at) const;
     void raise(uint32_t leaf, Crossing& crossing) const;
-    RayQuery query_of(const ShapeRay& ray, uint16_t mask, uint32_t member) const;
+    RayQuery query_of(const ShapeRay& ray, RayMask mask, uint32_t member) const;
 
     std::shared_ptr<const Geometry> geometry_;
     CompoundLooks looks_;

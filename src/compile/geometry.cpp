@@ -8,7 +8,7 @@ Geometry::Geometry() : parts(std::make_unique<Parts>()) {}
 Geometry::~Geometry() = default;
 
 const std::vector<Leaf>& Geometry::leaves() const { return parts->flat.leaves; }
-bool Geometry::has(uint16_t mask) const { return (parts->all_masks & mask) != 0; }
+bool Geometry::has(RayMask mask) const { return (parts->all_masks & mask) != 0; }
 
 namespace {
 
@@ -77,7 +77,7 @@ bool Geometry::is_convex_body(uint32_t leaf, const Vec3& p) const {
     return !l.shape->inside(l.in_world_space ? p : l.object_from_world.point(p));
 }
 
-bool Geometry::candidates(const RayBundle& bundle, uint16_t mask, uint32_t left, Candidates& out) const {
+bool Geometry::candidates(const RayBundle& bundle, RayMask mask, uint32_t left, Candidates& out) const {
     const Parts& p = *parts;
     // Beyond that, single precision bounds nothing.
     constexpr double limit = 1e30;

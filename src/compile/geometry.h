@@ -16,7 +16,7 @@ public:
 
     /// What rays of the bundle with any of the mask's bits may meet; false if that is too much to be listed.
     /// `left`: a leaf that all of them leave for good, or no_leaf.
-    bool candidates(const RayBundle& bundle, uint16_t mask, uint32_t left, Candidates& out) const;
+    bool candidates(const RayBundle& bundle, RayMask mask, uint32_t left, Candidates& out) const;
 
     /// What of `wider` the rays of a narrower bundle may meet.
     void candidates(const Candidates& wider, const RayBundle& bundle, uint32_t left, Candidates& out) const;
@@ -38,7 +38,7 @@ public:
     bool occluded(const RayQuery& query, uint32_t& blocker, const Candidates* candidates = nullptr) const;
 
     /// True if any leaf carries one of these bits: a query that asks only for absent bits can be skipped.
-    bool has(uint16_t mask) const;
+    bool has(RayMask mask) const;
 
     /// Indices into World::interiors of the solids that contain `p`, in top-level order.
     std::vector<uint32_t> interiors_at(const Vec3& p) const;

@@ -9,7 +9,7 @@ namespace rb {
 struct Element {
     const Shape* shape = nullptr;
     uint32_t leaf = 0;
-    uint16_t mask = 0;
+    RayMask mask = 0;
     bool in_world_space = false;
     bool tests_hits = false;
     bool is_costly = false;    ///< rays are cut to its box
@@ -38,7 +38,7 @@ struct Geometry::Parts {
     BoxTree tree;                   ///< numbers its elements from `listed` on
     std::vector<uint32_t> element_of_leaf;
     std::vector<ElementError> errors;  ///< by leaf
-    uint16_t all_masks = 0;
+    RayMask all_masks = 0;
 
     /// Of a hit on a leaf, or on a member of it if it is an instance.
     ElementError error_of(uint32_t leaf, uint32_t member) const {

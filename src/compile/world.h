@@ -10,7 +10,7 @@
 namespace rb {
 
 /// Which rays a surface takes part in; a query names the bits it wants.
-enum SurfaceMask : uint16_t {
+enum SurfaceMask : RayMask {
     seen_by_image = 1,               ///< camera rays and their refracted continuations (not no_image)
     seen_by_reflection = 2,          ///< rays that have been reflected (not no_reflection)
     blocks_light = 4,                ///< opaque for shadow rays (not no_shadow)
@@ -76,7 +76,7 @@ struct Leaf {
     SharedAffine object_from_world;  ///< identity when `in_world_space`
     bool in_world_space = false;     ///< the shape took its transform into its own numbers
     bool inverted = false;           ///< normals and inside are turned (`inverse`, subtracted)
-    uint16_t mask = 0;               ///< SurfaceMask bits
+    RayMask mask = 0;                ///< SurfaceMask bits
     uint32_t surface = 0;            ///< index into World::surfaces
     uint32_t solid = 0;              ///< node of the solid tree that decides which crossings count
     /// First of the surfaces of the shape's own textures in World::surfaces (in the order of
@@ -103,7 +103,7 @@ constexpr uint32_t no_leaf = std::numeric_limits<uint32_t>::max();
 struct RayQuery {
     Ray ray;  ///< of unit length
     double t_max = std::numeric_limits<double>::infinity();
-    uint16_t mask = seen_by_image;
+    RayMask mask = seen_by_image;
     uint32_t origin_leaf = no_leaf;   ///< the leaf on whose surface the ray starts
     double origin_error = 0;          ///< bound on the distance of the origin to the true surface
     uint32_t origin_part = any_part;  ///< Crossing::part of the hit it starts from; optional, sharpens meshes

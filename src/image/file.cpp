@@ -1,6 +1,7 @@
 #include "image/file.h"
 
 #include "base/diagnostics.h"
+#include "base/temporary_file.h"
 #include "image/codec.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -34,22 +34,6 @@ constexpr std::array<Named, 12> extensions{{{".png", FileType::png},
                                             {".tif", FileType::tiff},
                                             {".tiff", FileType::tiff},
                                             {".tga", FileType::tga_uncompressed}}};
-
-/// Removes the file unless it was kept: an exception between opening and renaming leaves nothing behind.
-class TemporaryFile {
-public:
-    explicit TemporaryFile(std::string path) : path_(std::move(path)) {}
-    ~TemporaryFile() {
-        if (!path_.empty()) std::remove(path_.c_str());
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    const std::string& path() const { return path_; }
-    void keep() { path_.clear(); }
-
-private:
-    std::string path_;
-};
 
 void copy_to_stdout(const std::string& path) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), std::fclose);
@@ -133,22 +117,20 @@ void write_image(const PixelRows& rows, const OutputFormat& format, const std::s
     const bool to_stdout = path == "-";
     const std::string base =
         to_stdout ? (std::filesystem::temp_directory_path() / "renderboy-stdout").string() : path;
-    TemporaryFile temporary(fmt::format("{}.{}.part", base, getpid()));
+    TemporaryFile temporary(base);
     if (format.type == FileType::png) {
-        write_png(rows, format, temporary.path());
+        write_png(rows, format, temporary.name());
     } else if (format.type == FileType::ppm) {
-        write_netpbm(rows, format, temporary.path());
+        write_netpbm(rows, format, temporary.name());
     } else {
-        write_with_oiio(samples_of(rows, format), format, temporary.path());
+        write_with_oiio(samples_of(rows, format), format, temporary.name());
     }
     if (to_stdout) {
-        copy_to_stdout(temporary.path());
+        copy_to_stdout(temporary.name());
         return;
     }
-    if (std::rename(temporary.path().c_str(), path.c_str()) != 0) {
+    if (!temporary.put_in_place(path))
         throw IoError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
-    }
-    temporary.keep();
 }
 
 Pixels read_image(const std::string& path) { return read_with_oiio(path); }

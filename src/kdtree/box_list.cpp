@@ -93,7 +93,7 @@ void BoxList::add(const Node& node, size_t lane, float near) {
     copy(node, lane, nodes_[place / 4], place % 4);
 }
 
-bool BoxList::gather(const BoxTree& tree, const RayBundle& bundle, uint16_t mask, uint32_t without) {
+bool BoxList::gather(const BoxTree& tree, const RayBundle& bundle, RayMask mask, uint32_t without) {
     count_ = 0;
     if (tree.is_empty()) return true;
     center_ = tree.center_;

@@ -16,7 +16,7 @@ public:
 
     /// Lists the elements but `without`. False (and the list is useless) if there are more than `most`, or if
     /// they lie all over the tree.
-    bool gather(const BoxTree& tree, const RayBundle& bundle, uint16_t mask, uint32_t without);
+    bool gather(const BoxTree& tree, const RayBundle& bundle, RayMask mask, uint32_t without);
 
     /// Keeps of another list what a narrower bundle may meet.
     void gather(const BoxList& wider, const RayBundle& bundle, uint32_t without);
@@ -25,7 +25,7 @@ public:
 
     /// As BoxTree::walk(), for a ray of the bundle; one or two elements are visited whatever their boxes.
     template <class Visit>
-    bool walk(const Ray& ray, uint16_t mask, double t_min, const double& t_max, Visit&& visit) const;
+    bool walk(const Ray& ray, RayMask mask, double t_min, const double& t_max, Visit&& visit) const;
 
 private:
     using Node = BoxTree::Node;
@@ -40,7 +40,7 @@ private:
 };
 
 template <class Visit>
-bool BoxList::walk(const Ray& ray, uint16_t mask, double t_min, const double& t_max, Visit&& visit) const {
+bool BoxList::walk(const Ray& ray, RayMask mask, double t_min, const double& t_max, Visit&& visit) const {
     if (count_ <= 2) {
         for (size_t i = 0; i < count_; ++i) {
             if ((nodes_[0].mask[i] & mask) != 0 && visit(nodes_[0].child[i] & ~BoxTree::element_bit))

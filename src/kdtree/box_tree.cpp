@@ -78,7 +78,7 @@ private:
     }
 
     void set_child(uint32_t at, size_t i, const Range& range, int depth) {
-        uint16_t mask = 0;
+        RayMask mask = 0;
         uint32_t child = 0;
         if (range.size() == 1) {
             child = BoxTree::element_bit | static_cast<uint32_t>(tree_.order_.size());

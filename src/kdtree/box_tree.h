@@ -73,7 +73,7 @@ class BoxTree {
 public:
     struct Item {
         Bounds box;  ///< finite and not empty
-        uint16_t mask = 0;
+        RayMask mask = 0;
     };
 
     BoxTree() = default;
@@ -87,7 +87,7 @@ public:
     /// `t_min` (not negative) and `t_max`, about from near to far; `t_max` is read again after every call.
     /// Ends early when `visit` returns true.
     template <class Visit>
-    bool walk(const Ray& ray, uint16_t mask, double t_min, const double& t_max, Visit&& visit) const;
+    bool walk(const Ray& ray, RayMask mask, double t_min, const double& t_max, Visit&& visit) const;
 
 private:
     friend class BoxTreeBuilder;
@@ -96,9 +96,9 @@ private:
     struct alignas(64) Node {
         float planes[3][2][4];
         uint32_t child[4];  ///< a node, or with `element_bit` an element
-        uint16_t mask[4];   ///< of all below
+        RayMask mask[4];    ///< of all below
 
-        unsigned lanes_with(uint16_t wanted) const {
+        unsigned lanes_with(RayMask wanted) const {
             unsigned lanes = 0;
             for (unsigned i = 0; i < 4; ++i) lanes |= static_cast<unsigned>((mask[i] & wanted) != 0) << i;
             return lanes;
@@ -109,7 +109,7 @@ private:
     std::vector<uint32_t> order_;
     Vec3 center_{0.0};
     float reach_ = 0;
-    uint16_t common_mask_ = 0xffff;  ///< bits that every element has
+    RayMask common_mask_ = 0xffff;  ///< bits that every element has
 };
 
 inline BoxRay::BoxRay(const Ray& ray, const Vec3& center, float reach) {
@@ -146,7 +146,7 @@ inline BoxRay::BoxRay(const Ray& ray, const Vec3& center, float reach) {
 }
 
 template <class Visit>
-bool BoxTree::walk(const Ray& ray, uint16_t mask, double t_min, const double& t_max, Visit&& visit) const {
+bool BoxTree::walk(const Ray& ray, RayMask mask, double t_min, const double& t_max, Visit&& visit) const {
     if (nodes_.empty()) return false;
     const BoxRay slabs(ray, center_, reach_);
     const float near = slabs.scaled_down(t_min);

@@ -3,6 +3,9 @@
 
 namespace rb {
 
+/// Kinds of rays, one bit each: what a thing can be met by, and what a ray asks for.
+using RayMask = uint16_t;
+
 /// A half-line. `direction` is unit length in world space; in object space it keeps the length that the
 /// transform gave it, so that `t` means the same point in both spaces.
 struct Ray {

@@ -1,4 +1,5 @@
 #pragma once
+#include "math/recurrence.h"
 #include "patterns/registry.h"
 
 #include <cmath>
@@ -23,7 +24,6 @@ inline bool is_odd(double whole) {
     if (!(std::abs(whole) < 1e15)) return std::fmod(whole, 2.0) != 0.0;
     return (static_cast<int64_t>(whole) & 1) != 0;
 }
-inline double fraction(double v) { return v - std::floor(v); }
 /// floor, but one less on negative whole numbers.
 inline double floor_below(double v) { return v >= 0.0 ? std::floor(v) : -std::floor(-v) - 1.0; }
 inline double cycloidal(double v) { return std::sin(2.0 * pi * v); }

@@ -1,5 +1,6 @@
 #include "photons/pattern.h"
 
+#include "math/basis.h"
 #include "shade/area_sampler.h"
 
 #include <algorithm>
@@ -14,19 +15,6 @@ enum Purpose : uint64_t { purpose_start = 1, purpose_turn, purpose_angle, purpos
 
 /// Photons with less of the light's cone are not sent.
 constexpr double least_cone = 1e-5;
-
-/// Two unit vectors across a unit vector.
-struct Across {
-    explicit Across(const Vec3& axis) {
-        const Vec3 other = std::abs(axis.y) < 0.9 ? Vec3{0.0, 1.0, 0.0} : Vec3{1.0, 0.0, 0.0};
-        first = glm::normalize(glm::cross(axis, other));
-        second = glm::cross(axis, first);
-    }
-    Vec3 at(double turn) const { return std::cos(turn) * first + std::sin(turn) * second; }
-
-    Vec3 first;
-    Vec3 second;
-};
 
 }  // namespace
 

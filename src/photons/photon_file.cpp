@@ -1,5 +1,7 @@
 #include "photons/photon_file.h"
 
+#include "base/temporary_file.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -88,12 +90,13 @@ bool read_map(std::istream& in, std::vector<Photon>& photons) {
 }  // namespace
 
 std::string write_photons(const std::string& path, const StoredPhotons& photons) {
-    std::ofstream out(path, std::ios::binary);
+    TemporaryFile file(path);
+    std::ofstream out(file.name(), std::ios::binary);
     write_map(out, photons.on_surfaces);
     write_map(out, photons.in_media);
     out.close();
-    return out ? std::string{}
-               : fmt::format("Could not write the photon map {}: {}", path, std::strerror(errno));
+    if (out && file.put_in_place(path)) return {};
+    return fmt::format("Could not write the photon map {}: {}", path, std::strerror(errno));
 }
 
 std::string read_photons(const std::string& path, StoredPhotons& photons) {

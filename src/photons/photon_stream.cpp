@@ -1,18 +1,12 @@
 #include "photons/photon_stream.h"
 
 #include "math/random.h"
+#include "shade/draws.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace rb {
-
-namespace {
-
-/// What the random numbers of a photon are drawn for, beside those of its ray.
-constexpr uint64_t purpose_media = 0x30000;
-
-}  // namespace
 
 PhotonStream::PhotonStream(const ShadingProgram& program, StreamState& state, const PhotonMission& mission,
                            std::span<const uint32_t> inside)
@@ -29,6 +23,7 @@ void PhotonStream::start(std::span<const PhotonStart> photons, uint64_t seed) {
     state_.limits = {own.max_trace_level >= 0 ? own.max_trace_level : settings.max_trace_level,
                      own.adc_bailout >= 0 ? static_cast<float>(own.adc_bailout) : settings.adc_bailout};
     state_.carries_photons = true;
+    state_.wants_light = false;
     state_.rays.clear();
     state_.next.clear();
     state_.interiors.clear();
@@ -55,12 +50,7 @@ void PhotonStream::run_wave(PhotonHarvest& harvest) {
         PathRay& ray = state_.rays[i];
         ray.slot = i;
         RayQuery query;
-        query.ray = ray.ray;
-        query.mask = ray.reflected ? seen_by_mirrored_photons : seen_by_photons;
-        query.origin_leaf = ray.origin_leaf;
-        query.origin_part = ray.origin_part;
-        query.origin_member = ray.origin_member;
-        query.origin_error = ray.origin_error;
+        StreamState::ask(ray, ray.reflected ? seen_by_mirrored_photons : seen_by_photons, query);
         if (program_.geometry.closest(query, hit)) arrive(i, hit, harvest);
     }
     shade_hits();
@@ -114,7 +104,7 @@ void PhotonStream::leave_in_media(uint32_t index, double length, PhotonHarvest& 
     if (settings.media_steps == 0) return;
     const double start = paths_[index].length - length;
     const double step = settings.media_factor * width_at(start);
-    const uint64_t seed = mixed(ray.seed, purpose_media);
+    const uint64_t seed = mixed(ray.seed, draw_photons_left_in_media);
     const double wanted = length / step;
     const double count = std::min(std::floor(wanted), static_cast<double>(settings.media_steps));
     const double longer = std::max(1.0, wanted / static_cast<double>(settings.media_steps));

@@ -118,7 +118,7 @@ public:
             const uint32_t first = ring;
             const std::vector<RingPart> parts = next_parts(ring, rings, wanted);
             std::vector<PhotonHarvest> harvests(parts.size());
-            parallel_for(parts.size(), threads, [&](size_t i) { follow(parts[i], harvests[i]); });
+            parallel_for(parts.size(), threads, stop, [&](size_t i) { follow(parts[i], harvests[i]); });
             const uint32_t end = find_end(first, ring, harvests);
             for (const PhotonHarvest& harvest : harvests) {
                 keep(harvest.on_surfaces, end, photons.on_surfaces);

@@ -63,28 +63,29 @@ bool CachedLight::knows(const IndirectPlace& place, int depth) const {
     return is_enough(caches_[static_cast<size_t>(depth)].look_up(place.point, place.normal).weight);
 }
 
-void CachedLight::learn(std::span<const IndirectPlace> places, int depth, int threads) {
+void CachedLight::learn(std::span<const IndirectPlace> places, int depth, int threads,
+                        const std::atomic<bool>& stop) {
     constexpr size_t least_together = 64;
     const auto order = spread_order(places.size());
     IrradianceCache& cache = caches_[static_cast<size_t>(depth)];
     std::vector<IndirectPlace> unknown;
-    for (size_t i = 0; i < order.size();) {
+    for (size_t i = 0; i < order.size() && !stop.load(std::memory_order_relaxed);) {
         // Those of one round do not know of each other.
         const size_t together = std::max(least_together, cache.size() / 4);
         unknown.clear();
         for (; i < order.size() && unknown.size() < together; ++i) {
             if (!knows(places[order[i]], depth)) unknown.push_back(places[order[i]]);
         }
-        for (const IrradianceRecord& record : gathered(unknown, depth, threads)) cache.insert(record);
+        for (const IrradianceRecord& record : gathered(unknown, depth, threads, stop)) cache.insert(record);
     }
 }
 
 std::vector<IrradianceRecord> CachedLight::gathered(std::span<const IndirectPlace> places, int depth,
-                                                    int threads) const {
+                                                    int threads, const std::atomic<bool>& stop) const {
     constexpr size_t chunk = 8;
     const GatherTask task{depth, &rays_.grid_at(depth), next(depth), true};
     std::vector<IrradianceRecord> records(places.size());
-    parallel_for((places.size() + chunk - 1) / chunk, threads, [&](size_t c) {
+    parallel_for((places.size() + chunk - 1) / chunk, threads, stop, [&](size_t c) {
         const auto some = places.subspan(c * chunk, std::min(chunk, places.size() - c * chunk));
         std::array<Gathered, chunk> found;
         rays_.gather(some, task, std::span(found).first(some.size()));

@@ -18,7 +18,7 @@ public:
     bool knows(const IndirectPlace& place, int depth) const;
 
     /// Gathers at places that are not known yet, in an order that depends on their number only.
-    void learn(std::span<const IndirectPlace> places, int depth, int threads);
+    void learn(std::span<const IndirectPlace> places, int depth, int threads, const std::atomic<bool>& stop);
 
     /// Places so far at which nothing was known: those seen by the eye, and those seen by gathers.
     std::array<uint64_t, 2> gap_counts() const { return {gaps_[0].load(), gaps_[1].load()}; }
@@ -26,8 +26,8 @@ public:
 
 private:
     IrradianceRecord record_of(const IndirectPlace& place, int depth, const Gathered& gathered) const;
-    std::vector<IrradianceRecord> gathered(std::span<const IndirectPlace> places, int depth,
-                                           int threads) const;
+    std::vector<IrradianceRecord> gathered(std::span<const IndirectPlace> places, int depth, int threads,
+                                           const std::atomic<bool>& stop) const;
     const IndirectLight* next(int depth) const;
     bool is_enough(double weight) const;
 
@@ -44,6 +44,7 @@ public:
     PlaceCollector(const CachedLight* known, std::vector<IndirectPlace>& out) : known_(known), out_(out) {}
 
     void gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const override;
+    bool wants_light() const override { return false; }
 
 private:
     const CachedLight* known_;

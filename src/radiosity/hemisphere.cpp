@@ -1,6 +1,8 @@
 #include "radiosity/hemisphere.h"
 
+#include "math/basis.h"
 #include "math/random.h"
+#include "math/recurrence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +11,9 @@ namespace rb {
 
 namespace {
 
-// Steps of the plastic number and of the golden ratio, which spread points evenly over a square and a line.
+// Steps of the additive recurrence that spreads points evenly over a square: of the plastic number.
 constexpr double step_u = 0.7548776662466927;
 constexpr double step_v = 0.5698402909980532;
-constexpr double golden_ratio = 0.6180339887498949;
-
-double fraction(double x) { return x - std::floor(x); }
 
 }  // namespace
 
@@ -31,8 +30,8 @@ HemisphereGrid::HemisphereGrid(int count) {
         for (int ring = 0; ring < rings_; ++ring) {
             for (int sector = 0; sector < sectors_; ++sector) {
                 // Evenly spread over the ring of all sectors, and over the sector of all rings.
-                const double square = (ring + fraction(ring_shift + golden_ratio * sector)) / rings_;
-                const double turn = (sector + fraction(sector_shift + golden_ratio * ring)) / sectors_;
+                const double square = (ring + fraction(ring_shift + golden_step * sector)) / rings_;
+                const double turn = (sector + fraction(sector_shift + golden_step * ring)) / sectors_;
                 const double sine = std::sqrt(square);
                 directions_.emplace_back(sine * std::cos(2.0 * pi * turn), sine * std::sin(2.0 * pi * turn),
                                          std::sqrt(std::max(0.0, 1.0 - square)));
@@ -48,15 +47,10 @@ HemisphereGrid::HemisphereGrid(int count) {
 
 Hemisphere::Hemisphere(const HemisphereGrid& grid, const Vec3& normal, uint64_t seed)
     : grid_(&grid), directions_(grid.variant(mixed(seed, 0) >> 32)), normal_(normal) {
-    // Frisvad 2012, revised by Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
-    const double sign = std::copysign(1.0, normal.z);
-    const double a = -1.0 / (sign + normal.z);
-    const double b = normal.x * normal.y * a;
-    const Vec3 u{1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};
-    const Vec3 v{b, sign + normal.y * normal.y * a, -normal.y};
+    const Across plane(normal);
     const double turn = 2.0 * pi * unit_random(mixed(seed, 1));
-    across_ = std::cos(turn) * u + std::sin(turn) * v;
-    along_ = std::cos(turn) * v - std::sin(turn) * u;
+    across_ = plane.at(turn);
+    along_ = glm::cross(normal, across_);
 }
 
 Vec3 Hemisphere::tangent(double sector) const {

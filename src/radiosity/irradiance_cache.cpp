@@ -36,16 +36,17 @@ void IrradianceCache::insert(const IrradianceRecord& record) {
     const double reach = record.radius * bound_;
     // Places whose neighbours double precision cannot tell apart are of no use.
     if (!(reach > 1e-9 * max_component(glm::abs(record.point))) || !std::isfinite(reach)) return;
-    const int exponent = static_cast<int>(std::ceil(std::log2(2.0 * reach)));
+    const int exponent = static_cast<int>(std::ceil(std::log2(1.0 * reach)));
     Level& level = levels_[exponent];
     level.cell_size = std::ldexp(1.0, exponent);
-    const auto index = static_cast<uint32_t>(records_.size());
+    constexpr double rounding = 1e-9;
+    const Entry entry{record.point, reach * reach * (1.0 + rounding), static_cast<uint32_t>(records_.size())};
     records_.push_back(record);
     const Cell low = level.cell_of(record.point - Vec3{reach});
     const Cell high = level.cell_of(record.point + Vec3{reach});
     for (int64_t z = low.z; z <= high.z; ++z) {
         for (int64_t y = low.y; y <= high.y; ++y) {
-            for (int64_t x = low.x; x <= high.x; ++x) level.cells[{x, y, z}].push_back(index);
+            for (int64_t x = low.x; x <= high.x; ++x) level.cells[{x, y, z}].push_back(entry);
         }
     }
 }
@@ -67,8 +68,10 @@ IrradianceCache::Found IrradianceCache::look_up(const Vec3& point, const Vec3& n
     for (const auto& [exponent, level] : levels_) {
         const auto cell = level.cells.find(level.cell_of(point));
         if (cell == level.cells.end()) continue;
-        for (const uint32_t index : cell->second) {
-            const IrradianceRecord& record = records_[index];
+        for (const Entry& entry : cell->second) {
+            const Vec3 way = point - entry.point;
+            if (glm::dot(way, way) > entry.reach_squared) continue;
+            const IrradianceRecord& record = records_[entry.record];
             const double weight = weight_of(record, point, normal);
             if (weight <= 0.0) continue;
             found.weight += weight;

@@ -43,10 +43,16 @@ private:
     struct HashCell {
         size_t operator()(const Cell& cell) const;
     };
+    /// A record, as cells have it: most that are asked are too far away.
+    struct Entry {
+        Vec3 point{0.0};
+        double reach_squared = 0;  ///< or a little more
+        uint32_t record = 0;
+    };
     /// Cells of a size that holds the reach of its records in at most two along each axis.
     struct Level {
         double cell_size = 1;
-        std::unordered_map<Cell, std::vector<uint32_t>, HashCell> cells;
+        std::unordered_map<Cell, std::vector<Entry>, HashCell> cells;
 
         Cell cell_of(const Vec3& point) const;
     };

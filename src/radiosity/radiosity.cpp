@@ -44,33 +44,35 @@ RadiosityReport Radiosity::report() const {
     return report;
 }
 
-void Radiosity::prepare(const PictureSurvey& survey, int longer_side, int threads) {
+void Radiosity::prepare(const PictureSurvey& survey, int longer_side, int threads,
+                        const std::atomic<bool>& stop) {
     if (!cached_) return;
     constexpr int finest = 2;
     const double widest = rays_.settings().pretrace_start * longer_side;
     const int first = std::max(finest, static_cast<int>(widest));
     // Some ten thousand places, however large the picture is.
     const int coarse = std::max(std::min(first, 8), longer_side / 256);
-    if (rays_.settings().recursion_limit > 1) learn_later_bounces(survey(coarse, nullptr), threads);
+    if (rays_.settings().recursion_limit > 1) learn_later_bounces(survey(coarse, nullptr), threads, stop);
     for (int step = first; step >= finest; step /= 2) {
-        cached_->learn(survey(step, cached_.get()), 0, threads);
+        cached_->learn(survey(step, cached_.get()), 0, threads, stop);
     }
 }
 
 /// From the last bounce to the second, so that each can ask the one after it.
-void Radiosity::learn_later_bounces(std::vector<IndirectPlace> places, int threads) {
+void Radiosity::learn_later_bounces(std::vector<IndirectPlace> places, int threads,
+                                    const std::atomic<bool>& stop) {
     std::vector<std::vector<IndirectPlace>> places_at{std::move(places)};
     for (int depth = 1; depth < rays_.settings().recursion_limit; ++depth) {
-        places_at.push_back(met_from(places_at.back(), depth - 1, threads));
+        places_at.push_back(met_from(places_at.back(), depth - 1, threads, stop));
     }
     for (int depth = rays_.settings().recursion_limit - 1; depth > 0; --depth) {
-        cached_->learn(places_at[static_cast<size_t>(depth)], depth, threads);
+        cached_->learn(places_at[static_cast<size_t>(depth)], depth, threads, stop);
     }
 }
 
 /// Where rays from places of one bounce ask for the next.
-std::vector<IndirectPlace> Radiosity::met_from(std::span<const IndirectPlace> places, int depth,
-                                               int threads) const {
+std::vector<IndirectPlace> Radiosity::met_from(std::span<const IndirectPlace> places, int depth, int threads,
+                                               const std::atomic<bool>& stop) const {
     constexpr size_t wanted = 16384;
     constexpr size_t chunk = 16;
     if (places.empty()) return {};
@@ -78,7 +80,7 @@ std::vector<IndirectPlace> Radiosity::met_from(std::span<const IndirectPlace> pl
     const size_t stride = std::max<size_t>(1, places.size() / wanted);
     const size_t used = places.size() / stride;
     std::vector<std::vector<IndirectPlace>> parts((used + chunk - 1) / chunk);
-    parallel_for(parts.size(), threads, [&](size_t c) {
+    parallel_for(parts.size(), threads, stop, [&](size_t c) {
         const PlaceCollector collector(nullptr, parts[c]);
         const GatherTask task{depth, &grid, &collector};
         Gathered ignored;

@@ -43,8 +43,8 @@ public:
     Radiosity(const World& world, const ShadingOptions& options, GiMode mode,
               std::shared_ptr<const PhotonLight> photons = nullptr);
 
-    /// Before light() is asked. `longer_side`: of the picture, in pixels.
-    void prepare(const PictureSurvey& survey, int longer_side, int threads);
+    /// Before light() is asked. `longer_side`: of the picture, in pixels. Ends soon once `stop` is true.
+    void prepare(const PictureSurvey& survey, int longer_side, int threads, const std::atomic<bool>& stop);
 
     const IndirectLight& light() const;
 
@@ -52,8 +52,9 @@ public:
     RadiosityReport report() const;
 
 private:
-    void learn_later_bounces(std::vector<IndirectPlace> places, int threads);
-    std::vector<IndirectPlace> met_from(std::span<const IndirectPlace> places, int depth, int threads) const;
+    void learn_later_bounces(std::vector<IndirectPlace> places, int threads, const std::atomic<bool>& stop);
+    std::vector<IndirectPlace> met_from(std::span<const IndirectPlace> places, int depth, int threads,
+                                        const std::atomic<bool>& stop) const;
 
     RayGather rays_;
     BruteLight brute_;

@@ -161,6 +161,7 @@ void RayGather::gather(std::span<const IndirectPlace> places, const GatherTask& 
 void RayGather::trace(Batch& batch, int depth, const IndirectLight* next) const {
     StreamState& state = state_at(depth);
     state.indirect = next;
+    state.wants_light = !next || next->wants_light();
     Scratch::Scope memory(thread_scratch());
     const auto found = memory.take<GatheredLight>(batch.ray_count);
     RayStream(program_, state).gather(batch.rays.first(batch.ray_count), depth, found);

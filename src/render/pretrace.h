@@ -6,6 +6,7 @@ namespace rb {
 
 /// What radiosity wants to know of a whole picture before it is rendered: where diffuse surfaces are seen,
 /// also in mirrors and through glass. What is referred to must outlive it.
-PictureSurvey survey_of(const Integrator& integrator, const CameraRays& rays, const RenderOptions& options);
+PictureSurvey survey_of(const Integrator& integrator, const CameraRays& rays, const RenderOptions& options,
+                        const std::atomic<bool>& stop);
 
 }  // namespace rb

@@ -48,8 +48,8 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
     const IndirectLight* indirect = nullptr;
     if (ShadingProgram::has_indirect_light(world, shading)) {
         radiosity.emplace(world, shading, options.gi, integrator.program().photons);
-        radiosity->prepare(survey_of(integrator, rays, options), std::max(options.width, options.height),
-                           options.threads);
+        radiosity->prepare(survey_of(integrator, rays, options, stop),
+                           std::max(options.width, options.height), options.threads, stop);
         indirect = &radiosity->light();
     }
     const SampleDistance distance(world.settings.assumed_gamma, options.antialias.gamma);
@@ -62,8 +62,7 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
 
     std::mutex mutex;
     size_t done = 0;
-    parallel_for(blocks.size(), options.threads, [&](size_t i) {
-        if (stop.load(std::memory_order_relaxed)) return;
+    parallel_for(blocks.size(), options.threads, stop, [&](size_t i) {
         const PixelBlock& block = blocks[i];
         const size_t count = static_cast<size_t>(block.width()) * static_cast<size_t>(block.height());
         if (log) {

@@ -2,6 +2,7 @@
 
 #include "math/random.h"
 #include "shade/area_sampler.h"
+#include "shade/draws.h"
 
 #include <algorithm>
 #include <cmath>
@@ -197,7 +198,7 @@ size_t DirectLight::find_lit(const FinishProgram& finish, size_t light, std::spa
 double DirectLight::crand(const FinishProgram& finish, size_t light, const LitRow& row) const {
     const double amount = finish.finish.crand;
     if (amount == 0.0) return 0.0;
-    return amount * unit_random(mixed(state_.ray_of(state_.hits[row.hit]).seed, 0x10000 + light));
+    return amount * unit_random(mixed(state_.ray_of(state_.hits[row.hit]).seed, draw_crand + light));
 }
 
 Rgb DirectLight::thin_film(const FinishProgram& finish, const LitRow& row, const Vec3& to_light) const {

@@ -28,6 +28,9 @@ public:
     /// (irradiance / pi), with the scene's brightness and gray_threshold. `depth`: diffuse surfaces between
     /// the places and the eye.
     virtual void gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const = 0;
+
+    /// False if it only takes note of who asks: then nothing has to be lit meanwhile.
+    virtual bool wants_light() const { return true; }
 };
 
 }  // namespace rb

@@ -33,6 +33,7 @@ void Integrator::trace(std::span<const CameraRay> rays, std::span<Radiance> out,
                        const IndirectLight* indirect) const {
     thread_local StreamState state;
     state.indirect = indirect;
+    state.wants_light = !indirect || indirect->wants_light();
     for (size_t begin = 0; begin < rays.size(); begin += stream_size) {
         const size_t count = std::min(stream_size, rays.size() - begin);
         RayStream(program_->shading, state).trace(rays.subspan(begin, count), out.subspan(begin, count));

@@ -2,6 +2,7 @@
 
 #include "base/scratch.h"
 #include "math/random.h"
+#include "math/recurrence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@ namespace rb {
 namespace {
 
 constexpr size_t batch = 64;
-constexpr double golden_step = 0.6180339887498949;
 
 Rgb exp_of(const Rgb& x) { return {std::exp(x.x), std::exp(x.y), std::exp(x.z)}; }
 
@@ -51,8 +51,7 @@ double MediaPath::unit_draw(uint64_t purpose) const { return unit_random(mixed(s
 
 double MediaPath::next_place() {
     constexpr uint64_t start = ~uint64_t{0};
-    const double place = unit_draw(start) + golden_step * static_cast<double>(draws_++);
-    return place - std::floor(place);
+    return fraction(unit_draw(start) + golden_step * static_cast<double>(draws_++));
 }
 
 Rgb MediaPath::attenuation(double length) {

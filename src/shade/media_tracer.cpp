@@ -6,29 +6,21 @@
 
 namespace rb {
 
-namespace {
-
-/// What the random numbers along a ray are drawn for.
-enum Purpose : uint64_t { purpose_interiors = 0x20000, purpose_air = 0x20001 };
-
-}  // namespace
-
 AirEffect MediaTracer::in_interiors(uint32_t ray_index, double length, std::span<const uint32_t> lights) {
     program_.media.mix_of(state_.interiors.view(state_.rays[ray_index].inside), mix_);
-    return mix_.empty() ? AirEffect{} : along(ray_index, length, lights, purpose_interiors);
+    return mix_.empty() ? AirEffect{} : along(ray_index, length, lights, draw_media_of_interiors);
 }
 
 AirEffect MediaTracer::in_air(uint32_t ray_index, double length, std::span<const uint32_t> lights) {
     program_.media.mix_of_air(mix_);
-    return along(ray_index, length, lights, purpose_air);
+    return along(ray_index, length, lights, draw_media_of_air);
 }
 
-AirEffect MediaTracer::along(uint32_t ray_index, double length, std::span<const uint32_t> lights,
-                             uint64_t purpose) {
+AirEffect MediaTracer::along(uint32_t ray_index, double length, std::span<const uint32_t> lights, Draw draw) {
     const PathRay& ray = state_.rays[ray_index];
     ray_index_ = ray_index;
     spans_.clear();
-    for (const uint32_t light : lights) {
+    for (const uint32_t light : state_.wants_light ? lights : std::span<const uint32_t>{}) {
         auto span = lit_span(program_.lights[light].light(), ray.ray, length);
         if (!span) continue;
         span->light = light;
@@ -36,7 +28,7 @@ AirEffect MediaTracer::along(uint32_t ray_index, double length, std::span<const 
     }
     cut_by_light(spans_, length, pieces_);
     MediaLighting* lighting = mix_.scatters() ? this : nullptr;
-    return MediaPath(mix_, ray.ray, mixed(ray.seed, purpose), lighting).seen(pieces_);
+    return MediaPath(mix_, ray.ray, mixed(ray.seed, draw), lighting).seen(pieces_);
 }
 
 void MediaTracer::add(std::span<const double> distances, std::span<const Vec3> points,

@@ -1,4 +1,5 @@
 #pragma once
+#include "shade/draws.h"
 #include "shade/light_span.h"
 #include "shade/shadow.h"
 
@@ -19,7 +20,7 @@ public:
     AirEffect in_air(uint32_t ray_index, double length, std::span<const uint32_t> lights);
 
 private:
-    AirEffect along(uint32_t ray_index, double length, std::span<const uint32_t> lights, uint64_t purpose);
+    AirEffect along(uint32_t ray_index, double length, std::span<const uint32_t> lights, Draw draw);
     void add(std::span<const double> distances, std::span<const Vec3> points,
              std::span<MediaSample> samples) override;
     bool is_everywhere() const override { return shows_photons(); }

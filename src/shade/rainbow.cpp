@@ -1,6 +1,7 @@
 #include "shade/rainbow.h"
 
 #include "math/random.h"
+#include "shade/draws.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +23,7 @@ AirEffect RainbowProgram::along(const Ray& ray, double length, uint64_t seed) co
     AirEffect sum{Rgb(0.0f), Rgb(0.0f)};
     float count = 0.0f;
     for (size_t i = 0; i < arcs_.size(); ++i) {
-        constexpr uint64_t rainbow_draws = 0x20000;
-        const double jitter = 2.0 * unit_random(mixed(seed, rainbow_draws + i)) - 1.0;
+        const double jitter = 2.0 * unit_random(mixed(seed, draw_rainbows + i)) - 1.0;
         const auto effect = met(arcs_[i], ray, length, jitter);
         if (!effect) continue;
         sum.attenuation += effect->attenuation;

@@ -61,9 +61,8 @@ void RayStream::start(std::span<const GatherRay> rays, int depth) {
     state_.depth = depth;
     state_.reach = unlimited;
     state_.limits = {std::max(settings.max_trace_level, level + 1), program_.adc_bailout};
-    const float brightness = settings.radiosity ? settings.radiosity->brightness : 1.0f;
-    const float importance =
-        std::max(program_.adc_bailout, std::pow(0.5f * brightness, static_cast<float>(depth)));
+    const float importance = std::max(
+        program_.adc_bailout, std::pow(0.5f * settings.radiosity->brightness, static_cast<float>(depth)));
     state_.rays.reserve(rays.size());
     for (size_t i = 0; i < rays.size(); ++i) {
         PathRay& ray = state_.rays.emplace_back();
@@ -128,13 +127,8 @@ void RayStream::intersect() {
         for (uint32_t i = begin; i < end; ++i) {
             const PathRay& ray = state_.rays[i];
             RayQuery& query = queries[i - begin];
-            query.ray = ray.ray;
+            StreamState::ask(ray, mask_of(ray), query);
             query.t_max = state_.reach;
-            query.mask = mask_of(ray);
-            query.origin_leaf = ray.origin_leaf;
-            query.origin_part = ray.origin_part;
-            query.origin_member = ray.origin_member;
-            query.origin_error = ray.origin_error;
         }
         const bool all_miss = ahead && ahead->none();
         for (uint32_t i = begin; i < end; ++i) {
@@ -148,7 +142,7 @@ void RayStream::intersect() {
     shade_sky(misses.first(miss_count));
 }
 
-uint16_t RayStream::mask_of(const PathRay& ray) const {
+RayMask RayStream::mask_of(const PathRay& ray) const {
     return program_.ray_masks[ray.reflected ? 2 : (ray.refracted ? 1 : 0)];
 }
 
@@ -158,7 +152,7 @@ const Candidates* RayStream::candidates(std::span<const PathRay> rays) {
     if (!program_.options.skip_unneeded || rays.size() < fewest) return nullptr;
     Bounds origins;
     Bounds directions;
-    uint16_t mask = 0;
+    RayMask mask = 0;
     for (const PathRay& ray : rays) {
         origins.include(ray.ray.origin);
         directions.include(ray.ray.direction);
@@ -184,7 +178,7 @@ void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     // One hit point of each surface that a mesh or blob wears here.
     program_.geometry.surfaces_at(hit, worn_);
     for (const auto& [worn, share] : worn_) {
-        if (worn_.size() > 1 && share < program_.adc_bailout) continue;
+        if (worn_.size() > 1 && share < state_.limits.adc_bailout) continue;
         add_point(ray_index, hit, program_.surfaces[worn], weight * share, alpha * share);
     }
 }

@@ -43,7 +43,7 @@ private:
     void start(std::span<const GatherRay> rays, int depth);
     void note_distances(std::span<GatheredLight> out) const;
     void run_wave();
-    uint16_t mask_of(const PathRay& ray) const;
+    RayMask mask_of(const PathRay& ray) const;
     void intersect();
     const Candidates* candidates(std::span<const PathRay> rays);
     void add_hit(uint32_t ray_index, const Hit& hit);

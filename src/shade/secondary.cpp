@@ -17,14 +17,6 @@ Rgb raised(const Rgb& c, float power) {
     return {std::pow(c.x, power), std::pow(c.y, power), std::pow(c.z, power)};
 }
 
-/// What the random numbers of child rays are drawn for.
-enum Purpose : uint64_t {
-    purpose_transmit = 1,
-    purpose_reflect = 2,
-    purpose_through = 3,
-    purpose_band = 100
-};
-
 }  // namespace
 
 /// What changes where a ray passes a surface.
@@ -84,7 +76,7 @@ SecondaryRays::Crossing SecondaryRays::crossing_of(const HitPoint& hit, const Fi
 }
 
 /// Starts a ray in the next wave. Until keep_or_drop() it is the last one there.
-PathRay& SecondaryRays::add_child(const HitPoint& hit, uint64_t purpose) {
+PathRay& SecondaryRays::add_child(const HitPoint& hit, Draw draw) {
     const PathRay& parent = state_.ray_of(hit);
     PathRay& ray = state_.next.emplace_back(parent);
     ray.ray.origin = hit.point;
@@ -94,7 +86,7 @@ PathRay& SecondaryRays::add_child(const HitPoint& hit, uint64_t purpose) {
     ray.origin_error = hit.error;
     ray.weight = hit.weight;
     ray.alpha = hit.alpha;
-    ray.seed = mixed(parent.seed, purpose);
+    ray.seed = mixed(parent.seed, draw);
     // Of photons going straight on costs a level, too (measured).
     const bool is_free = parent.continuation && !state_.carries_photons;
     ray.level = static_cast<uint16_t>(parent.level + (is_free ? 0 : 1));
@@ -118,7 +110,7 @@ bool SecondaryRays::keep_or_drop(const PathRay& ray) {
 bool SecondaryRays::transmit(const HitPoint& hit, const Transmission& what) {
     const PathRay& parent = state_.ray_of(hit);
     const Crossing crossing = crossing_of(hit, *what.finish);
-    PathRay& ray = add_child(hit, purpose_transmit);
+    PathRay& ray = add_child(hit, draw_transmitted_ray);
     ray.refracted = true;
     ray.importance = parent.importance *
                      std::max({std::abs(what.filter.x), std::abs(what.filter.y), std::abs(what.filter.z)});
@@ -187,7 +179,7 @@ void SecondaryRays::disperse(const HitPoint& hit, const Transmission& what, cons
     for (int i = 0; i < samples; ++i) {
         const double wavelength = 380.0 + 350.0 * (i + 0.5) / samples;
         PathRay& band = state_.next.emplace_back(ray);
-        band.seed = mixed(ray.seed, purpose_band + static_cast<uint64_t>(i));
+        band.seed = mixed(ray.seed, draw_bands + static_cast<uint64_t>(i));
         band.alpha = 0;
         band.weight *= band_hue(wavelength, width) / static_cast<float>(samples);
         const double eta = crossing.eta * std::pow(crossing.dispersion, -(wavelength - 555.0) / 350.0);
@@ -214,7 +206,7 @@ Rgb SecondaryRays::film(const HitPoint& hit, const FinishProgram& finish, const 
 
 void SecondaryRays::pass_on(const HitPoint& hit, const HitPoint& exit, const Vec3& direction,
                             const Rgb& weight) {
-    PathRay& ray = add_child(hit, purpose_through);
+    PathRay& ray = add_child(hit, draw_passing_ray);
     ray.ray = {exit.point, direction};
     ray.origin_leaf = exit.leaf;
     ray.origin_part = exit.part;
@@ -228,7 +220,7 @@ void SecondaryRays::pass_on(const HitPoint& hit, const HitPoint& exit, const Vec
 }
 
 void SecondaryRays::reflect(const HitPoint& hit, const MirrorRecord& mirror) {
-    PathRay& ray = add_child(hit, purpose_reflect);
+    PathRay& ray = add_child(hit, draw_reflected_ray);
     ray.ray.direction = mirrored(hit.direction, mirror.normal, hit.normal);
     ray.importance = mirror.importance;
     ray.reflected = true;

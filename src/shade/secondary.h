@@ -1,4 +1,5 @@
 #pragma once
+#include "shade/draws.h"
 #include "shade/finish_terms.h"
 #include "shade/stream_state.h"
 
@@ -46,7 +47,7 @@ private:
     void mirror_inside(const HitPoint& hit, const Transmission& what, PathRay& ray);
     Rgb film(const HitPoint& hit, const FinishProgram& finish, const Vec3& normal, const Vec3& out) const;
     bool worth_following(const PathRay& ray) const;
-    PathRay& add_child(const HitPoint& hit, uint64_t purpose);
+    PathRay& add_child(const HitPoint& hit, Draw draw);
     bool keep_or_drop(const PathRay& ray);
 
     const ShadingProgram& program_;

@@ -51,7 +51,7 @@ struct ShadingProgram {
     float adc_bailout;
     bool has_air_effects;  ///< fog, rainbows and media act
     /// SurfaceMask bits of straight rays, refracted ones, and those that were reflected.
-    std::array<uint16_t, 3> ray_masks{seen_by_image, seen_by_image, seen_by_reflection};
+    std::array<RayMask, 3> ray_masks{seen_by_image, seen_by_image, seen_by_reflection};
     PatternSettings patterns;
     bool before_37 = false;  ///< the older rules for opacity and sky
     std::vector<TextureProgram> textures;
@@ -70,7 +70,7 @@ struct ShadingProgram {
     MediaProgram media;
     std::shared_ptr<const PhotonLight> photons;  ///< null until there are any
 
-    uint16_t shadow_mask = 0;  ///< which kinds of leaves shadow rays can meet at all
+    RayMask shadow_mask = 0;  ///< which kinds of leaves shadow rays can meet at all
     bool tracks_interiors = false;
     std::vector<uint32_t> camera_interiors;
 

@@ -115,7 +115,9 @@ struct StreamState {
     RayCounters counters;
     RayLimits limits;
 
-    /// The rays come from lights: their weight is the light that they bring, and what they meet is not lit.
+    /// False where only the ways of rays matter: what they meet is not lit.
+    bool wants_light = true;
+    /// The rays come from lights: their weight is the light that they bring.
     bool carries_photons = false;
     std::vector<PhotonPermit> permits;  ///< of the hits, with `carries_photons`
 
@@ -126,8 +128,18 @@ struct StreamState {
     std::vector<Vec2> uv;
     SurfaceSamples samples() const { return {points, seen_normals, directions, uv}; }
 
+    /// A ray's question. Field by field: a copy would wait for what has only just been stored.
+    static void ask(const PathRay& ray, RayMask mask, RayQuery& query) {
+        query.ray = ray.ray;
+        query.mask = mask;
+        query.origin_leaf = ray.origin_leaf;
+        query.origin_part = ray.origin_part;
+        query.origin_member = ray.origin_member;
+        query.origin_error = ray.origin_error;
+    }
+
     /// From a hit along a direction.
-    static RayQuery query_from(const HitPoint& hit, const Vec3& direction, double t_max, uint16_t mask) {
+    static RayQuery query_from(const HitPoint& hit, const Vec3& direction, double t_max, RayMask mask) {
         RayQuery query{{hit.point, direction}, t_max, mask, hit.leaf, hit.error};
         query.origin_part = hit.part;
         query.origin_member = hit.member;

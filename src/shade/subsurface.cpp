@@ -1,6 +1,7 @@
 #include "shade/subsurface.h"
 
 #include "math/sobol.h"
+#include "shade/draws.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +9,6 @@
 namespace rb {
 
 namespace {
-
-/// What the random numbers at a hit are drawn for.
-enum Purpose : uint64_t { purpose_walls = 0x30000, purpose_depths = 0x30001 };
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
@@ -112,7 +110,7 @@ std::optional<HitPoint> SubsurfaceLight::wall(const HitPoint& hit, const Ray& ra
     return place;
 }
 
-/// Calls add(direction, cosine, color) for the lights that reach a place on the body's outside.
+/// Calls add(cosine, color) for the lights that reach a place on the body's outside.
 template <class Add>
 void SubsurfaceLight::each_light(const HitPoint& place, std::span<const uint32_t> lights, Add&& add) {
     for (const uint32_t index : lights) {
@@ -138,7 +136,7 @@ Rgb SubsurfaceLight::scattered_often(const HitPoint& hit, const Bulk& bulk,
     if (opposite) depth = std::min(depth, 0.5 * opposite->t);
     const Vec3 base = hit.point + depth * inward;
     const int count = program_.world.settings.subsurface->diffuse_samples;
-    const uint64_t seed = mixed(state_.ray_of(hit).seed, purpose_walls);
+    const uint64_t seed = mixed(state_.ray_of(hit).seed, draw_body_walls);
     Vec3 sum{0.0};
     int met = 0;
     for (int i = 0; i < count; ++i) {
@@ -179,7 +177,7 @@ Rgb SubsurfaceLight::scattered_once(const HitPoint& hit, const Vec3& normal, con
     const double longest = ends ? end.t : endless;
     const double seen_cosine = std::abs(glm::dot(*inward, normal));
     const int count = program_.world.settings.subsurface->single_samples;
-    const uint64_t seed = mixed(state_.ray_of(hit).seed, purpose_depths);
+    const uint64_t seed = mixed(state_.ray_of(hit).seed, draw_body_depths);
     Vec3 sum{0.0};
     for (int i = 0; i < count; ++i) {
         const Vec2 u = scrambled_sobol(static_cast<uint32_t>(i), seed);

@@ -1,18 +1,9 @@
 #include "shade/surface_shader.h"
 
-#include "math/random.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace rb {
-
-namespace {
-
-/// What the random numbers of gathers are drawn for.
-constexpr uint64_t purpose_indirect = 0x30000;
-
-}  // namespace
 
 /// A part of a group: which hits, at which pattern points, and how much each counts in a blend.
 struct SurfaceShader::Rows {
@@ -54,12 +45,7 @@ void SurfaceShader::shade(const Look& look, std::span<const uint32_t> hits) {
     const bool several = texture.is_patterned() || texture.layers.size() > 1;
     lights_ = program_.light_lists[look.lights];
     ShadowMemory shadows(hits.size(), lights_.size(), several, memory);
-    if (state_.indirect) {
-        for (const Side side : {front, back}) {
-            indirect_.mean[side] = memory.take<Rgb>(hits.size());
-            indirect_.known[side] = memory.take<uint8_t>(hits.size(), uint8_t{0});
-        }
-    }
+    if (state_.indirect) indirect_.begin(hits.size(), memory);
     const std::span<const Warp> chain = look.transform;
     const Chains enclosing{&chain, transform ? size_t{1} : size_t{0}};
     shade_rows(texture, {hits, roots, points, memory.take<float>(hits.size(), 1.0f)}, enclosing, shadows);
@@ -67,7 +53,7 @@ void SurfaceShader::shade(const Look& look, std::span<const uint32_t> hits) {
 
 void SurfaceShader::shade_rows(const TextureProgram& texture, const Rows& rows, Chains enclosing,
                                ShadowMemory& memory) {
-    if (state_.indirect) forget_indirect(rows);
+    if (state_.indirect) indirect_.leave_texture(rows.roots);
     if (texture.is_patterned()) {
         shade_children(texture, rows, enclosing, memory);
     } else if (texture.layers.size() == 1 && state_.limits.adc_bailout < 1.0f) {
@@ -176,56 +162,6 @@ Rgb SurfaceShader::own_light(const LayerProgram& layer, const LitRow& lit) const
     return layer.finish->own_light * lit.place.pigment * lit.place.opacity + lit.light;
 }
 
-/// Where light is gathered around perturbed normals, textures that are mixed do not share it.
-void SurfaceShader::forget_indirect(const Rows& rows) {
-    if (!program_.world.settings.radiosity->normal) return;
-    for (const uint32_t root : rows.roots) indirect_.known[front][root] = indirect_.known[back][root] = 0;
-}
-
-/// Diffuse light from other surfaces and the sky (shading spec 13.2). `filters`: of the layers above; empty
-/// if there are none.
-void SurfaceShader::add_indirect(const FinishProgram& finish, std::span<LitRow> rows,
-                                 std::span<const Rgb> filters) {
-    for (const Side side : {front, back}) {
-        const float diffuse = side == front ? finish.finish.raw_diffuse : finish.finish.raw_diffuse_back;
-        if (diffuse == 0.0f) continue;
-        gather(side, diffuse, rows, filters);
-        for (LitRow& row : rows) {
-            if (!indirect_.known[side][row.root]) continue;
-            row.light += row.place.pigment * indirect_.mean[side][row.root] * row.place.opacity * diffuse;
-        }
-    }
-}
-
-/// For the rows that do not know yet, and where enough of it would be seen.
-void SurfaceShader::gather(Side side, float diffuse, std::span<const LitRow> rows,
-                           std::span<const Rgb> filters) {
-    Scratch::Scope memory(thread_scratch());
-    const auto asking = memory.take<uint32_t>(rows.size());
-    const auto places = memory.take<IndirectPlace>(rows.size());
-    const bool perturbed = program_.world.settings.radiosity->normal;
-    size_t count = 0;
-    for (size_t i = 0; i < rows.size(); ++i) {
-        const LitRow& row = rows[i];
-        if (indirect_.known[side][row.root]) continue;
-        const Rgb seen = filters.empty() ? row.place.pigment : filters[i] * row.place.pigment;
-        if (!(grey(seen) * row.place.opacity * diffuse > program_.adc_bailout)) continue;
-        const HitPoint& hit = state_.hits[row.hit];
-        const double sign = side == front ? 1.0 : -1.0;
-        const Vec3 normal = perturbed ? row.place.normal : hit.normal;
-        const uint64_t seed = mixed(state_.ray_of(hit).seed, purpose_indirect + side);
-        places[count] = {hit.point, sign * normal, sign * hit.normal, hit.leaf,
-                         hit.part,  hit.member,    hit.error,         seed};
-        asking[count++] = row.root;
-    }
-    const auto mean = memory.take<Rgb>(count);
-    state_.indirect->gather(places.first(count), state_.depth, mean);
-    for (size_t k = 0; k < count; ++k) {
-        indirect_.mean[side][asking[k]] = mean[k];
-        indirect_.known[side][asking[k]] = 1;
-    }
-}
-
 /// Normals, pigments and direct light of one layer.
 SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, const Rows& rows,
                                                    Chains enclosing, ShadowMemory& shadows,
@@ -258,18 +194,18 @@ SurfaceShader::LitLayer SurfaceShader::light_layer(const LayerProgram& layer, co
         }
         row.light = Rgb(0.0f);
     }
-    if (finish.takes_light && program_.options.quality > 1 && !state_.carries_photons) {
+    if (finish.takes_light && program_.options.quality > 1 && state_.wants_light) {
         light_.add(finish, layer_rows.lit, lights_, shadows);
         if (program_.shows_photons()) photons_.add(finish, layer_rows.lit);
     }
-    if (finish.is_translucent && !state_.carries_photons) {
+    if (finish.is_translucent && state_.wants_light) {
         for (LitRow& row : layer_rows.lit) {
             const HitPoint& hit = state_.hits[row.hit];
             row.light += subsurface_.at(hit, row.place.normal, finish, row.place.pigment,
                                         secondary_.relative_ior(hit, finish), lights_);
         }
     }
-    if (state_.indirect && finish.takes_indirect_light) add_indirect(finish, layer_rows.lit, filters);
+    if (state_.indirect && finish.takes_indirect_light) indirect_.add(finish, layer_rows.lit, filters);
     return layer_rows;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "shade/direct_light.h"
+#include "shade/indirect_shading.h"
 #include "shade/photon_shading.h"
 #include "shade/secondary.h"
 #include "shade/subsurface.h"
@@ -16,6 +17,7 @@ public:
           light_(program, state),
           subsurface_(program, state),
           photons_(program, state),
+          indirect_(program, state),
           secondary_(program, state) {}
 
     /// `hits`: indices into StreamState::hits.
@@ -29,13 +31,6 @@ private:
         std::span<Color> pigments;
     };
     using Chains = std::span<const std::span<const Warp>>;
-    /// Which side of a surface light comes from: the viewer's, or the other one.
-    enum Side : size_t { front, back };
-    /// What the rows of a group know of their indirect light: layers share it.
-    struct Indirect {
-        std::array<std::span<Rgb>, 2> mean;       ///< by side
-        std::array<std::span<uint8_t>, 2> known;  ///< by side
-    };
 
     void shade_rows(const TextureProgram& texture, const Rows& rows, Chains enclosing, ShadowMemory& memory);
     void shade_children(const TextureProgram& texture, const Rows& rows, Chains enclosing,
@@ -54,18 +49,15 @@ private:
     void send_on(const TextureProgram& texture, const Rows& rows, const LayerStack& stack);
     void go_straight_through(const LayerProgram& layer, const LitRow& lit, const Rgb& weight);
     Rgb own_light(const LayerProgram& layer, const LitRow& lit) const;
-    void forget_indirect(const Rows& rows);
-    void add_indirect(const FinishProgram& finish, std::span<LitRow> rows, std::span<const Rgb> filters);
-    void gather(Side side, float diffuse, std::span<const LitRow> rows, std::span<const Rgb> filters);
 
     const ShadingProgram& program_;
     StreamState& state_;
     DirectLight light_;
     SubsurfaceLight subsurface_;
     PhotonShading photons_;
+    IndirectShading indirect_;
     SecondaryRays secondary_;
     std::span<const uint32_t> lights_;  ///< that shine on the hits at hand
-    Indirect indirect_;                 ///< of the group at hand, if anybody is asked
 };
 
 }  // namespace rb

@@ -84,9 +84,7 @@ void FunctionCells::find(size_t cell, const Bound& bound, Detail& detail) const 
     detail.known.store(true, std::memory_order_release);
 }
 
-FunctionCells::Content FunctionCells::content(size_t cell, const Vec3& direction, const Bound& bound) const {
-    Detail& detail = details_[place_[cell]];
-    if (!detail.known.load(std::memory_order_acquire)) find(cell, bound, detail);
+FunctionCells::Content FunctionCells::content(const Detail& detail, const Vec3& direction) {
     Content content{detail.sign.load(std::memory_order_relaxed), Interval(0.0)};
     if (content.sign != CellSign::unclear) return content;
     for (int i = 0; i < 3; ++i) {

@@ -33,12 +33,17 @@ public:
     template <class Piece>
     bool walk(const Ray& ray, double t, double end, const Piece& piece) const;
 
-    /// A closer look at an unclear cell, which `bound` is asked for once in each.
+    /// A closer look at an unclear cell. `bound`, a Bound, is asked once in each.
     struct Content {
         CellSign sign = CellSign::unclear;
         Interval slope;  ///< every difference quotient along a direction; if infinite, nothing is known
     };
-    Content content(size_t cell, const Vec3& direction, const Bound& bound) const;
+    template <class AsBound>
+    Content content(size_t cell, const Vec3& direction, const AsBound& bound) const {
+        Detail& detail = details_[place_[cell]];
+        if (!detail.known.load(std::memory_order_acquire)) find(cell, bound, detail);
+        return content(detail, direction);
+    }
 
     static constexpr int side = 16;
     static constexpr double cell_share = 1.0 / side;  ///< of the box, along each axis
@@ -63,6 +68,7 @@ private:
     /// A little more, since rounding may put a ray's way into the next cell.
     Bounds widened_cube(int x, int y, int z, int width) const;
     void find(size_t cell, const Bound& bound, Detail& detail) const;
+    static Content content(const Detail& detail, const Vec3& direction);
     /// Where the ray meets a plane between cells; nowhere, if along it.
     double meets(const Ray& ray, int axis, int plane, double inverse) const {
         return ray.direction[axis] == 0.0
