@@ -135,8 +135,11 @@ private:
     void add_rendering(CLI::App& app, Settings& settings) {
         const std::map<std::string, GeometryMode> modes{{"auto", GeometryMode::automatic},
                                                         {"exact", GeometryMode::exact},
-                                                        {"tessellate", GeometryMode::tessellate}};
-        app.add_option("--geometry", settings.geometry, "auto, exact or tessellate: how shapes meet rays")
+                                                        {"tessellate", GeometryMode::tessellate},
+                                                        {"refine", GeometryMode::refine}};
+        app.add_option("--geometry", settings.geometry,
+                       "auto, exact, tessellate or refine: how shapes meet rays (refine: hits on a "
+                       "mesh are moved onto the true surface)")
             ->transform(CLI::CheckedTransformer(modes));
         app.add_option("--tessellation-error", settings.tessellation_error,
                        "largest error of a mesh, in pixels")

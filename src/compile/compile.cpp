@@ -18,7 +18,8 @@ World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnos
     world.atmosphere = scene.atmosphere;
     world.camera = scene.camera;
     Flattener flattener(world, scene.default_texture, diagnostics);
-    const bool tessellates = options.geometry == GeometryMode::tessellate;
+    const bool tessellates =
+        options.geometry == GeometryMode::tessellate || options.geometry == GeometryMode::refine;
     CompoundStore compounds(scene.objects, tessellates ? InstanceMode::never : options.instances,
                             options.brute_force);
     flattener.share(compounds);

@@ -1,5 +1,7 @@
 #include "compile/tessellated.h"
 
+#include "shapes/mesh_refinement.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,23 +13,6 @@ MeshData mesh_data(TriangleMesh mesh) {
     MeshData data;
     data.triangles = std::move(mesh);
     return data;
-}
-
-/// The part of the true surface nearest to a facet, looking both ways along the facet's normal.
-uint32_t nearest_part(const Shape& truth, const Vec3& center, const Vec3& normal) {
-    uint32_t part = 0;
-    double best = std::numeric_limits<double>::infinity();
-    for (const double sign : {1.0, -1.0}) {
-        Crossings all;
-        truth.crossings(ShapeRay{{center - 1e-9 * sign * normal, sign * normal}}, all);
-        for (size_t i = 0; i < all.size(); ++i) {
-            if (all[i].t < best) {
-                best = all[i].t;
-                part = all[i].part;
-            }
-        }
-    }
-    return part;
 }
 
 /// Size of a pixel at distance 1 (at any distance for an orthographic camera).
@@ -51,20 +36,100 @@ double nearest_distance(const Bounds& box, const Vec3& eye) {
 
 }  // namespace
 
-TessellatedShape::TessellatedShape(ShapePtr truth, TriangleMesh mesh)
-    : truth_(std::move(truth)), mesh_(truth_->keyword(), mesh_data(mesh)) {
-    for (const auto& f : mesh.faces) {
-        const Vec3 a(mesh.vertices[f[0]]);
-        const Vec3 b(mesh.vertices[f[1]]);
-        const Vec3 c(mesh.vertices[f[2]]);
-        const Vec3 n = glm::cross(c - a, b - a);
-        const double length = glm::length(n);
-        parts_.push_back(length > 0.0 ? nearest_part(*truth_, (a + b + c) / 3.0, n / length) : 0);
+/// Takes facets in their refined form to a filter.
+class TessellatedShape::Refinement final : public CrossingFilter {
+public:
+    Refinement(const TessellatedShape& shape, const ShapeRay& ray, const CrossingFilter* filter)
+        : shape_(shape), ray_(ray), filter_(filter) {}
+
+    bool counts(const Crossing& facet) const override {
+        const auto refined = shape_.refined(ray_, facet);
+        if (!refined || (filter_ && !filter_->counts(*refined))) return false;
+        last_ = *refined;
+        return true;
     }
+    /// The last one that counted: what the mesh takes in the end.
+    const Crossing& last() const { return last_; }
+
+private:
+    const TessellatedShape& shape_;
+    const ShapeRay& ray_;
+    const CrossingFilter* filter_;
+    mutable Crossing last_;
+};
+
+TessellatedShape::TessellatedShape(ShapePtr truth, TriangleMesh mesh, Hits hits)
+    : truth_(std::move(truth)),
+      mesh_(truth_->keyword(), mesh_data(mesh)),
+      hits_(hits),
+      error_(mesh.error + float_rounding(mesh_.bounds())) {}
+
+Crossing TessellatedShape::nearest_crossing(const Vec3& p, const Crossing& facet) const {
+    const Vec3 n = glm::normalize(mesh_.normal(p, facet));
+    const double way = glm::length(mesh_.bounds().size());
+    Crossings all;
+    truth_->crossings(ShapeRay{{p - way * n, n}, 0.0, 2.0 * way}, all);
+    Crossing nearest{std::numeric_limits<double>::infinity(), 0, Vec2{0.0}};
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (std::abs(all[i].t - way) < std::abs(nearest.t - way)) nearest = all[i];
+    }
+    nearest.t = facet.t;
+    return nearest;
+}
+
+std::optional<Crossing> TessellatedShape::refined(const ShapeRay& ray, const Crossing& facet) const {
+    const Vec3& d = ray.ray.direction;
+    const Vec3 n = mesh_.normal(ray.ray.at(facet.t), facet);
+    const double facing = glm::dot(n, d);
+    constexpr double flattest = 0.02;
+    const double slant = std::max(std::abs(facing) / (glm::length(n) * glm::length(d)), flattest);
+    const double reach = 2.0 * error_ / (slant * glm::length(d));
+    ShapeRay near = ray;
+    near.t_min = std::max(ray.t_min, facet.t - reach);
+    near.t_max = std::min(ray.t_max, facet.t + reach);
+    Crossings all;
+    truth_->crossings(near, all);
+    std::optional<Crossing> best;
+    for (size_t i = 0; i < all.size(); ++i) {
+        const Crossing& c = all[i];
+        if (best && std::abs(c.t - facet.t) >= std::abs(best->t - facet.t)) continue;
+        // Where a ray comes in, it does not go out.
+        if (is_patch() || (glm::dot(truth_->normal(ray.ray.at(c.t), c), d) < 0.0) == (facing < 0.0)) best = c;
+    }
+    const bool is_at_origin = near.t_min == ray.t_min && (ray.starts_on_surface || ray.origin_error > 0.0);
+    if (!best && !is_at_origin) best = nearest_crossing(ray.ray.at(facet.t), facet);
+    return best;
+}
+
+void TessellatedShape::crossings(const ShapeRay& ray, Crossings& out) const {
+    if (hits_ == Hits::on_facets) return mesh_.crossings(ray, out);
+    Crossings facets;
+    mesh_.crossings(ShapeRay{ray.ray, ray.t_min, ray.t_max}, facets);
+    for (size_t i = 0; i < facets.size(); ++i) {
+        if (const auto crossing = refined(ray, facets[i])) out.add(*crossing);
+    }
+}
+
+bool TessellatedShape::closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const {
+    if (hits_ == Hits::on_facets) return mesh_.closest(ray, filter, nearest);
+    const Refinement refinement(*this, ray, filter);
+    if (!mesh_.closest(ShapeRay{ray.ray, ray.t_min, ray.t_max}, &refinement, nearest)) return false;
+    nearest = refinement.last();
+    return true;
+}
+
+bool TessellatedShape::any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const {
+    if (hits_ == Hits::on_facets) return mesh_.any(ray, filter, found);
+    const Refinement refinement(*this, ray, filter);
+    if (!mesh_.any(ShapeRay{ray.ray, ray.t_min, ray.t_max}, &refinement, found)) return false;
+    found = refinement.last();
+    return true;
 }
 
 void tessellate_leaves(FlatGeometry& flat, const Camera& camera, const CompileOptions& options) {
     const double pixel = pixel_size(camera, options);
+    const auto hits = options.geometry == GeometryMode::refine ? TessellatedShape::Hits::refined
+                                                               : TessellatedShape::Hits::on_facets;
     for (size_t i = 0; i < flat.leaves.size(); ++i) {
         Leaf& leaf = flat.leaves[i];
         if (leaf.shape->is_faceted() || flat.boxes[i].is_empty()) continue;
@@ -82,7 +147,7 @@ void tessellate_leaves(FlatGeometry& flat, const Camera& camera, const CompileOp
         const double tolerance = options.tessellation_error_pixels * pixel * distance * to_object;
         auto mesh = leaf.shape->tessellate(tolerance);
         if (!mesh || mesh->faces.empty()) continue;
-        leaf.shape = std::make_shared<TessellatedShape>(leaf.shape, std::move(*mesh));
+        leaf.shape = std::make_shared<TessellatedShape>(leaf.shape, std::move(*mesh), hits);
     }
 }
 

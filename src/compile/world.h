@@ -156,7 +156,7 @@ struct World {
     std::shared_ptr<const Geometry> geometry;
 };
 
-enum class GeometryMode { automatic, exact, tessellate };
+enum class GeometryMode { automatic, exact, tessellate, refine };
 
 /// Which repeated compounds are kept once for all their copies: those where it saves much memory, all, none.
 enum class InstanceMode { automatic, always, never };

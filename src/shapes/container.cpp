@@ -7,6 +7,11 @@
 
 namespace rb {
 
+bool Container::holds(const Vec3& p, double margin) const {
+    if (radius) return glm::length(p - box.center()) <= *radius - margin;
+    return Bounds{box.lo + margin, box.hi - margin}.contains(p);
+}
+
 bool Container::clip(const Ray& ray, double& from, double& to) const {
     const Vec3& d = ray.direction;
     const Vec3& o = ray.origin;

@@ -10,6 +10,9 @@ struct Container {
     Bounds box{Vec3{-1.0}, Vec3{1.0}};  ///< around the sphere, if it is one
     std::optional<double> radius;       ///< of a sphere
 
+    /// True for a point within, not nearer to the rim than `margin`.
+    bool holds(const Vec3& p, double margin) const;
+
     /// Narrows [from, to] to the ray's way within; false if nothing is left.
     bool clip(const Ray& ray, double& from, double& to) const;
 };

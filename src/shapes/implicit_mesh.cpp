@@ -14,7 +14,8 @@ constexpr std::array<std::array<unsigned, 4>, 6> tetrahedra{
 
 class Marching {
 public:
-    Marching(const ImplicitFunction& f, const Bounds& box, double cell) : f_(f), cell_(cell) {
+    Marching(const std::function<double(const Vec3&)>& value, const Bounds& box, double cell)
+        : value_(value), cell_(cell) {
         // A rim of two cells; the odd shift keeps corners off symmetry planes.
         constexpr double rim = 2.137;
         first_ = box.lo - Vec3{rim * cell};
@@ -46,7 +47,7 @@ private:
     void sample() {
         const uint32_t n = count_[0] * count_[1] * count_[2];
         outside_.resize(n);
-        for (uint32_t i = 0; i < n; ++i) outside_[i] = f_.value(corner(i)) > 0.0 ? 1 : 0;
+        for (uint32_t i = 0; i < n; ++i) outside_[i] = value_(corner(i)) > 0.0 ? 1 : 0;
     }
 
     void cube(uint32_t x, uint32_t y, uint32_t z) {
@@ -102,7 +103,7 @@ private:
         constexpr int halvings = 30;
         for (int i = 0; i < halvings; ++i) {
             const double s = 0.5 * (lo + hi);
-            (f_.value(a + s * (b - a)) > 0.0 ? hi : lo) = s;
+            (value_(a + s * (b - a)) > 0.0 ? hi : lo) = s;
         }
         // Facets that shrink to nothing would break the mesh; the bound counts what this moves.
         constexpr double rim = 0.01;
@@ -111,7 +112,7 @@ private:
         return at->second;
     }
 
-    const ImplicitFunction& f_;
+    const std::function<double(const Vec3&)>& value_;
     double cell_;
     Vec3 first_;
     std::array<uint32_t, 3> count_{};
@@ -162,6 +163,10 @@ double facet_error(const ImplicitFunction& f, const std::array<Vec3, 3>& p, doub
 
 }  // namespace
 
+TriangleMesh marched_mesh(const std::function<double(const Vec3&)>& value, const Bounds& box, double cell) {
+    return Marching(value, box, cell).run();
+}
+
 std::optional<TriangleMesh> implicit_mesh(const ImplicitFunction& f, const Bounds& box, double tolerance) {
     if (box.is_empty()) return TriangleMesh{};
     const double size = std::max({box.size().x, box.size().y, box.size().z});
@@ -169,7 +174,7 @@ std::optional<TriangleMesh> implicit_mesh(const ImplicitFunction& f, const Bound
     constexpr int finest = 256;
     constexpr int splits = 5;
     for (int cells = coarsest; cells <= finest; cells = cells * 3 / 2) {
-        TriangleMesh mesh = Marching(f, box, size / cells).run();
+        TriangleMesh mesh = marched_mesh([&](const Vec3& p) { return f.value(p); }, box, size / cells);
         double worst = 0.0;
         for (const auto& face : mesh.faces) {
             const auto corner = [&](size_t k) { return Vec3(mesh.vertices[face[k]]); };

@@ -67,7 +67,7 @@ namespace shapes {
 extern const ShapeKind parametric;
 const ShapeKind parametric{"parametric", read,
                            "parametric { function { u }, function { 0.3*(u*u + v*v) - 0.3 }, function { v } "
-                           "<-0.8, -0.8>, <0.8, 0.8> contained_by { sphere { 0, 1.1 } } accuracy 0.0001 }"};
+                           "<-0.8, -0.8>, <0.8, 0.8> contained_by { sphere { 0, 1.2 } } accuracy 0.0001 }"};
 }  // namespace shapes
 
 }  // namespace rb

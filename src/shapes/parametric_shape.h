@@ -25,7 +25,6 @@ public:
     explicit Parametric(ParametricData data);
 
     std::string_view keyword() const override { return "parametric"; }
-    bool is_always_exact() const override { return true; }
     NormalRule normal_rule() const override { return NormalRule::differences; }
     Bounds bounds() const override { return bounds_; }
     Bounds language_extent() const override { return data_.container.box; }
@@ -36,13 +35,14 @@ public:
     /// By differences over `accuracy`, as the language has it.
     Vec3 normal(const Vec3& p, const Crossing& at) const override;
     std::optional<Vec2> uv(const Vec3&, const Crossing& at) const override { return at.at; }
-    /// No bound on the distance of a mesh to it is proven.
-    std::optional<TriangleMesh> tessellate(double) const override { return std::nullopt; }
+    /// Where the container cuts the surface, or a function's slopes have no bound, there is no mesh.
+    std::optional<TriangleMesh> tessellate(double tolerance) const override;
     std::string describe() const override;
 
 private:
     static constexpr uint32_t side = 96;  ///< cells along each parameter
     struct Cell;
+    struct Grid;
     class Search;
     Cell cell(uint32_t number) const;
     Bounds box_of(const Cell& cell) const;

@@ -44,21 +44,6 @@ SphereSweep::SphereSweep(std::vector<SweepPiece> pieces, const Bounds& extent)
     tree_ = RangeTree<SweepBound>(bounds);
 }
 
-template <class Meets, class Take>
-void SphereSweep::each_range(Meets&& meets, Take&& take) const {
-    SweepRange range{any_part, 0.0, 0.0};
-    tree_.visit(meets, [&](uint32_t i) {
-        const SweepRange& next = ranges_[i];
-        if (next.piece == range.piece && next.lo == range.hi) {
-            range.hi = next.hi;
-            return;
-        }
-        if (range.piece != any_part) take(range);
-        range = next;
-    });
-    if (range.piece != any_part) take(range);
-}
-
 template <class Take>
 void SphereSweep::each_range_on(const ShapeRay& ray, double length, Take&& take) const {
     const Vec3 along = ray.ray.direction / length;

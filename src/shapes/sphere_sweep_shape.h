@@ -17,7 +17,6 @@ public:
     SphereSweep(std::vector<SweepPiece> pieces, const Bounds& extent);
 
     std::string_view keyword() const override { return "sphere_sweep"; }
-    bool is_always_exact() const override { return true; }
     Bounds bounds() const override { return bounds_; }
     Bounds language_extent() const override { return extent_; }
     bool inside(const Vec3& p) const override;
@@ -25,7 +24,7 @@ public:
     bool any(const ShapeRay& ray, const CrossingFilter* filter, Crossing& found) const override;
     Vec3 normal(const Vec3& p, const Crossing& at) const override;
     ShapePtr transformed(const Transform& map) const override;
-    std::optional<TriangleMesh> tessellate(double) const override { return std::nullopt; }
+    std::optional<TriangleMesh> tessellate(double tolerance) const override;
     std::string describe() const override;
 
 private:
@@ -40,6 +39,9 @@ private:
     /// The same for those that the ray may meet between t_min and t_max.
     template <class Take>
     void each_range_on(const ShapeRay& ray, double length, Take&& take) const;
+    class Facets;
+    /// The ball with the least power |p - c|^2 - r^2 of those that come within `reach` of a point.
+    Ball deepest_ball(const Vec3& p, double reach) const;
     /// False if `p` is surely outside.
     bool may_hold(const Vec3& p) const;
 
@@ -49,5 +51,20 @@ private:
     Bounds bounds_;
     Bounds extent_;
 };
+
+template <class Meets, class Take>
+void SphereSweep::each_range(Meets&& meets, Take&& take) const {
+    SweepRange range{any_part, 0.0, 0.0};
+    tree_.visit(meets, [&](uint32_t i) {
+        const SweepRange& next = ranges_[i];
+        if (next.piece == range.piece && next.lo == range.hi) {
+            range.hi = next.hi;
+            return;
+        }
+        if (range.piece != any_part) take(range);
+        range = next;
+    });
+    if (range.piece != any_part) take(range);
+}
 
 }  // namespace rb

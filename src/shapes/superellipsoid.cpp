@@ -2,10 +2,12 @@
 #include "math/p_norm.h"
 #include "shapes/convex_ray.h"
 #include "shapes/frame.h"
+#include "shapes/mesh_refinement.h"
 #include "shapes/ray_shape.h"
 #include "shapes/registry.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -28,7 +30,6 @@ public:
           along_(2.0 / std::abs(north)) {}
 
     std::string_view keyword() const override { return "superellipsoid"; }
-    bool is_always_exact() const override { return true; }
     bool is_convex() const { return across_.p() >= 1.0 && along_.p() >= 1.0; }
     /// Within each octant.
     bool is_concave() const { return across_.p() <= 1.0 && along_.p() <= 1.0; }
@@ -93,7 +94,7 @@ public:
         return std::make_shared<Superellipsoid>(Frame(then(frame_.object_from_local, map)), east_, north_);
     }
 
-    std::optional<TriangleMesh> tessellate(double) const override { return std::nullopt; }
+    std::optional<TriangleMesh> tessellate(double tolerance) const override;
 
     std::string describe() const override {
         const Vec3 c = frame_.object_from_local.forward.row[3];
@@ -223,12 +224,112 @@ private:
         bounded_roots(line, middle, f, b, fb, finest, take);
     }
 
+    class Facets;
+
     Frame frame_;
     double east_;
     double north_;
     PNorm across_;  ///< of x and y
     PNorm along_;   ///< of that and z
 };
+
+/// Values at a triangle's corners of two affine functions that a function runs between.
+struct AffineBounds {
+    std::array<double, 3> lo, hi;
+
+    static AffineBounds exactly(double a, double b, double c) { return {{a, b, c}, {a, b, c}}; }
+    double middle() const {
+        return std::reduce(lo.begin(), lo.end(), std::reduce(hi.begin(), hi.end())) / 6.0;
+    }
+};
+
+/// A norm lies above its tangent plane anywhere and below the plane through its values at the corners; where
+/// it is concave the other way round.
+AffineBounds bounds_of(const PNorm& norm, const AffineBounds& a, const AffineBounds& b) {
+    const PNorm::Growth growth = norm.growth(a.middle(), b.middle());
+    AffineBounds out;
+    for (size_t k = 0; k < 3; ++k) {
+        const bool is_convex = norm.p() >= 1.0;
+        const auto tangent = [&](double u, double v) { return growth.by_a * u + growth.by_b * v; };
+        out.lo[k] = is_convex ? tangent(a.lo[k], b.lo[k]) : norm(a.lo[k], b.lo[k]);
+        out.hi[k] = is_convex ? norm(a.hi[k], b.hi[k]) : tangent(a.hi[k], b.hi[k]);
+    }
+    return out;
+}
+
+/// The mesh: an octahedron, refined. Its vertices keep their octant.
+class Superellipsoid::Facets {
+public:
+    Facets(const Superellipsoid& shape, double within) : shape_(shape), within_(within) {
+        for (int i = 0; i < 6; ++i) {
+            Vec3 tip{0.0};
+            tip[i / 2] = i % 2 == 0 ? 1.0 : -1.0;
+            add(tip);
+        }
+    }
+
+    std::vector<MeshFace> octahedron() const {
+        const bool is_mirrored = glm::dot(glm::cross(rows()[0], rows()[1]), rows()[2]) < 0.0;
+        std::vector<MeshFace> faces;
+        for (uint32_t octant = 0; octant < 8; ++octant) {
+            const uint32_t x = octant & 1;
+            const uint32_t y = octant >> 1 & 1;
+            const uint32_t z = octant >> 2;
+            MeshFace face{x, 4 + z, 2 + y};
+            if (((x + y + z) % 2 == 1) != is_mirrored) std::swap(face[1], face[2]);
+            faces.push_back(face);
+        }
+        return faces;
+    }
+
+    Vec3 point(uint32_t i) const { return points_[i]; }
+
+    uint32_t between(uint32_t a, uint32_t b, const Vec3&) {
+        const Vec3 middle = 0.5 * (local_[a] + local_[b]);
+        add(middle / (1.0 + shape_.value(middle)));
+        return static_cast<uint32_t>(local_.size() - 1);
+    }
+
+    bool is_near(const MeshFace& face) const {
+        // Every point of a triangle is as near to a corner.
+        if (enclosing_radius(points_[face[0]], points_[face[1]], points_[face[2]]) <= within_) return true;
+        std::array<AffineBounds, 3> size;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto at = [&](size_t k) { return std::abs(local_[face[k]][axis]); };
+            size[static_cast<size_t>(axis)] = AffineBounds::exactly(at(0), at(1), at(2));
+        }
+        const AffineBounds norm =
+            bounds_of(shape_.along_, bounds_of(shape_.across_, size[0], size[1]), size[2]);
+        const double least = *std::ranges::min_element(norm.lo);
+        const double most = *std::ranges::max_element(norm.hi);
+        // Along the way to the center the norm is a share of the way.
+        double way = 0.0;
+        for (const uint32_t k : face) way = std::max(way, glm::length(points_[k] - rows()[3]));
+        return way * std::max(1.0 / least - 1.0, 1.0 - 1.0 / most) <= within_;
+    }
+
+private:
+    const std::array<Vec3, 4>& rows() const { return shape_.frame_.object_from_local.forward.row; }
+
+    void add(const Vec3& local) {
+        local_.push_back(local);
+        points_.push_back(shape_.frame_.object_from_local.point(local));
+    }
+
+    const Superellipsoid& shape_;
+    double within_;
+    std::vector<Vec3> local_;
+    std::vector<Vec3> points_;
+};
+
+std::optional<TriangleMesh> Superellipsoid::tessellate(double tolerance) const {
+    Facets facets(*this, tolerance - float_rounding(bounds()));
+    MeshRefinement refinement(facets, facets.octahedron());
+    if (!refinement.run(most_mesh_faces)) return std::nullopt;
+    TriangleMesh mesh = refinement.take_mesh();
+    mesh.error = tolerance;
+    return mesh;
+}
 
 ShapePtr read(BlockReader& in) {
     const Vec2 exponents = in.vec2();

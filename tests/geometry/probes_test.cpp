@@ -180,6 +180,40 @@ TEST(Probes, P40IsosurfaceContainer) {
     o.hits({.3, .4, -5}, z, {.3, .4, -.5}, {0, 0, -1});
 }
 
+TEST(Probes, P41IsosurfaceNormalsAreDifferencesOverItsAccuracy) {
+    // The reference stops at -0.8125.
+    Probe o(
+        "isosurface{function{x*x+y*y+z*z-1} contained_by{box{<-2,-2,-2>,<2,2,2>}} max_gradient 4 accuracy "
+        ".1}");
+    o.hits({.3, .4, -5}, z, {.3, .4, -.8660254}, {0.3516039, 0.4520622, -0.8197649});
+}
+
+TEST(Probes, P66IsosurfaceScaled) {
+    // The reference's depths are within its accuracy; none of them is nearer than the surface.
+    const ObjectPtr object = object_from(
+        "isosurface{function{x*x+y*y+z*z-1+0.1*sin(10*x)*sin(7*y)} contained_by{box{<-2,-2,-2>,<2,2,2>}} "
+        "max_gradient 5 accuracy 0.01 scale 2}");
+    Diagnostics diagnostics;
+    ObjectProbe probe(diagnostics);
+    const struct {
+        Vec3 origin, direction, point;
+    } rays[] = {{{.31, .42, -7}, {.05, .03, 1}, {.57015625, .57609375, -1.796875}},
+                {{1.3, .2, -7}, {.01, .02, 1}, {1.35625, .3125, -1.375}},
+                {{.1, .2, .3}, {.3, .5, 1}, {.5222061, .9036768, 1.7073537}},
+                {{-3, -2.5, -6}, {.4, .35, 1}, {-1.15, -.88125, -1.375}}};
+    for (const auto& ray : rays) {
+        const auto traced = probe.trace(object, ray.origin, ray.direction);
+        ASSERT_TRUE(traced.has_value());
+        EXPECT_NEAR(traced->point.z, ray.point.z, 0.02);
+        EXPECT_LE(traced->point.z, ray.point.z);
+    }
+}
+
+TEST(Probes, P56IsosurfaceInADifferenceNeedsAllIntersections) {
+    Probe o("difference{sphere{0,1} isosurface{function{x} contained_by{box{<-2,-2,-2>,<2,2,2>}}}}");
+    o.hits({-5, 0, 0}, x, {1, 0, 0}, {1, 0, 0});
+}
+
 // The reference, whose point lies behind the jump, takes (1, 0, 0) for the normals towards -y and -z.
 TEST(Probes, IsosurfaceOfAFunctionThatJumps) {
     Probe o("isosurface{function{select(max(abs(x-.1),abs(y),abs(z))-1,-1,1)} contained_by{box{-2,2}}}");

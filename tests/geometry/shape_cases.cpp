@@ -10,7 +10,7 @@ namespace rb {
 namespace {
 
 /// Beside the registry's examples, without modifiers; about as large as the unit cube around the origin.
-constexpr std::array<std::string_view, 23> further{
+constexpr std::array<std::string_view, 26> further{
     "cone { <0,-0.5,0>, 0.5, <0,0.5,0>, 0 }",
     "cone { <-0.3,-0.5,0>, 0.1, <0.2,0.5,0.1>, 0.4 }",
     "cylinder { <-0.4,-0.3,0.2>, <0.5,0.4,-0.1>, 0.05 }",
@@ -30,6 +30,9 @@ constexpr std::array<std::string_view, 23> further{
     "superellipsoid { <0.6, 2.7> }",
     "superellipsoid { <3, 0.8> }",
     "superellipsoid { <2.5, 3> }",
+    "sphere_sweep { linear_spline 3, <-0.5, -0.3, 0>, 0.2, <0.5, -0.3, 0.1>, 0.15, <0, 0.5, 0>, 0 }",
+    "sphere_sweep { b_spline 5, <-0.8, -0.6, 0>, 0.1, <-0.4, 0.5, 0>, 0.2, <0.2, -0.5, 0.3>, 0.1, "
+    "<0.5, 0.5, 0>, 0.3, <0.6, 0.8, 0>, 0.1 }",
     "blob { threshold 0.6 cylinder { <-0.4,0,0>, <0.4,0.1,0>, 0.4, 1 } sphere { <0,0.3,0>, 0.4, 1 } "
     "sphere { <0.1,-0.1,-0.3>, 0.3, -1 } }",
     "ovus { 0.3, 0.2 }",
@@ -37,6 +40,8 @@ constexpr std::array<std::string_view, 23> further{
     "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -0.34, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0.3, 0, 0, 0, "
     "0, 1, "
     "0, -0.34, 0, 0.0225> }",
+    "parametric { function { 0.5*sin(u)*cos(v) }, function { 0.5*sin(u)*sin(v) }, function { 0.4*cos(u) } "
+    "<0, 0>, <pi, 2*pi> contained_by { box { -0.8, 0.8 } } }",
     "text { internal 2 \"8g\" 0.3, 0 }",
     "isosurface { function { x*x*x*x + y*y*y*y + z*z*z*z - 0.06 } contained_by { box { -0.5, 0.5 } } "
     "max_gradient 4 all_intersections }",

@@ -67,6 +67,38 @@ TEST(Tessellated, EveryFiniteShapeLooksTheSame) {
     }
 }
 
+/// What rays meet is the true surface, bit for bit but for rounding, where the mesh is met at all.
+TEST(Tessellated, RefinedHitsAreTheTrueOnes) {
+    for (const ShapeKind* kind : all_shapes()) {
+        const ObjectPtr object = object_from(kind->example);
+        const auto shape = std::get<ShapePtr>(object->geometry);
+        if (!shape->bounds().is_finite() || shape->is_faceted() || shape->is_always_exact()) continue;
+        SCOPED_TRACE(kind->keyword);
+        auto turned = std::make_shared<Object>(*object);
+        transform_object(*turned, Transform::rotation_deg({-70, 20, 0}));
+        const World exact = world_of(turned, GeometryMode::exact);
+        const World refined = world_of(turned, GeometryMode::refine);
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        int hits = 0;
+        int off = 0;
+        for (int i = 0; i < 200 * RB_TEST_SAMPLES; ++i) {
+            RayQuery query;
+            query.ray.origin = {0, 0, -5};
+            query.ray.direction = glm::normalize(Vec3{0.25 * unit(random), 0.25 * unit(random), 1});
+            Hit a, b;
+            const bool hit = exact.geometry->closest(query, a);
+            hits += hit;
+            const bool same =
+                refined.geometry->closest(query, b) == hit &&
+                (!hit || (std::abs(a.t - b.t) < 1e-9 && glm::length(a.normal - b.normal) < 1e-6));
+            off += !same;
+        }
+        EXPECT_GT(hits, 10 * RB_TEST_SAMPLES);
+        EXPECT_LT(off, 200 * RB_TEST_SAMPLES / 500);
+    }
+}
+
 TEST(Tessellated, InsideCompounds) {
     expect_close(object_from(
         "difference{box{-.7,.7} sphere{<0,0,-.5>,.6} cylinder{<0,-2,0>,<0,2,0>,.3} rotate <20,30,0>}"));

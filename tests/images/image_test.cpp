@@ -146,20 +146,24 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Invariance,
 /// Meshes instead of exact shapes: the same picture within the error of the meshes.
 class Tessellated : public testing::TestWithParam<std::string> {};
 
-TEST_P(Tessellated, LooksLikeTheReference) {
-    const ImageCase c = read_case(source_dir / "scenes" / (GetParam() + ".pov"));
-    const fs::path got = work_dir() / (flat(c.name) + ".tessellated.png");
+void expect_reference_with(const std::string& name, const std::string& geometry) {
+    const ImageCase c = read_case(source_dir / "scenes" / (name + ".pov"));
+    const fs::path got = work_dir() / (flat(c.name) + "." + geometry + ".png");
     std::vector<std::string> words = arguments(c, got);
-    words.insert(words.end(), {"--geometry", "tessellate"});
+    words.insert(words.end(), {"--geometry", geometry});
     ASSERT_EQ(run(words), exit_done);
     const fs::path want = source_dir / "reference_images" / (c.name + ".png");
     EXPECT_LE(compare(read_image(got.string()), read_image(want.string())).share_off, 0.001);
     fs::remove(got);
 }
 
+TEST_P(Tessellated, LooksLikeTheReference) { expect_reference_with(GetParam(), "tessellate"); }
+TEST_P(Tessellated, RefinedLooksLikeTheReference) { expect_reference_with(GetParam(), "refine"); }
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Tessellated,
                          testing::Values("shapes/sphere", "shapes/box", "shapes/cylinder", "shapes/cone",
                                          "shapes/disc", "shapes/torus", "shapes/triangle",
+                                         "shapes/superellipsoid", "shapes/sphere_sweep",
                                          "shapes/smooth_triangle", "shapes/mesh", "csg/difference",
                                          "csg/nested", "csg/clipped_by"),
                          [](const auto& i) { return flat(i.param); });

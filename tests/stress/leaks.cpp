@@ -34,7 +34,8 @@ std::vector<Solid> make_solids() {
         constexpr double tolerance = 0.01;
         if (auto mesh = solid.exact->tessellate(tolerance)) {
             solid.mesh = *mesh;
-            solid.facets = std::make_shared<TessellatedShape>(solid.exact, std::move(*mesh));
+            solid.facets = std::make_shared<TessellatedShape>(solid.exact, std::move(*mesh),
+                                                              TessellatedShape::Hits::on_facets);
         }
         CompileOptions options;
         options.geometry = GeometryMode::exact;
