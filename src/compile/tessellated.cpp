@@ -90,11 +90,14 @@ std::optional<Crossing> TessellatedShape::refined(const ShapeRay& ray, const Cro
     Crossings all;
     truth_->crossings(near, all);
     std::optional<Crossing> best;
+    std::pair<bool, double> least;
     for (size_t i = 0; i < all.size(); ++i) {
-        const Crossing& c = all[i];
-        if (best && std::abs(c.t - facet.t) >= std::abs(best->t - facet.t)) continue;
-        // Where a ray comes in, it does not go out.
-        if (is_patch() || (glm::dot(truth_->normal(ray.ray.at(c.t), c), d) < 0.0) == (facing < 0.0)) best = c;
+        // Where a ray comes in, it does not go out; but some normals follow the order of points.
+        const double way = glm::dot(truth_->normal(ray.ray.at(all[i].t), all[i]), d);
+        const std::pair<bool, double> rank{(way < 0.0) != (facing < 0.0), std::abs(all[i].t - facet.t)};
+        if (best && least <= rank) continue;
+        best = all[i];
+        least = rank;
     }
     const bool is_at_origin = near.t_min == ray.t_min && (ray.starts_on_surface || ray.origin_error > 0.0);
     if (!best && !is_at_origin) best = nearest_crossing(ray.ray.at(facet.t), facet);
