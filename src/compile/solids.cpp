@@ -142,9 +142,16 @@ Bounds SolidForest::within(std::span<const uint32_t> limits, uint32_t without, B
     return box;
 }
 
-Bounds SolidForest::cut(uint32_t leaf, Bounds box) const {
+Bounds SolidForest::cut(uint32_t leaf, const Bounds& box) const {
+    const Bounds loose = cut_by_others(leaf, box);
     const PlacedShape& own = shapes[nodes[leaf].placed];
-    if (own.in_world_space) box = intersection(box, own.shape->bounds_within(box));
+    if (loose.is_finite() || !own.in_world_space) return loose;
+    // What stays infinite is a half-space, perhaps, and its box one that must hold the inside.
+    const Bounds tight = own.shape->bounds_within(cut_by_others(leaf, own.shape->bounds_within(box)));
+    return tight.is_finite() ? tight : loose;
+}
+
+Bounds SolidForest::cut_by_others(uint32_t leaf, Bounds box) const {
     for (uint32_t from = no_node, at = leaf; at != no_node; from = at, at = nodes[at].parent) {
         const SolidNode& node = nodes[at];
         if (!node.tests_hits) break;
@@ -157,7 +164,7 @@ Bounds SolidForest::cut(uint32_t leaf, Bounds box) const {
         for (const uint32_t clip : lists_of(node).clips) box = intersection(box, nodes[clip].region);
         box = within(lists_of(node).clips, no_node, box);
     }
-    return own.in_world_space ? intersection(box, own.shape->bounds_within(box)) : box;
+    return box;
 }
 
 }  // namespace rb
