@@ -64,7 +64,7 @@ public:
     /// Computes `region` of the node and all below, its clips and bounds.
     void set_regions(uint32_t node);
     /// `box` of the surface of shape node `leaf`, cut down to the regions in which its hits can count.
-    Bounds cut(uint32_t leaf, Bounds box) const;
+    Bounds cut(uint32_t leaf, const Bounds& box) const;
 
 private:
     std::span<const uint32_t> children_of(const SolidNode& node) const {
@@ -74,6 +74,9 @@ private:
         return node.lists == no_node ? no_lists : lists[node.lists];
     }
     bool in_all(std::span<const uint32_t> list, const Vec3& p) const;
+    Bounds cut_by_others(uint32_t leaf, Bounds box) const;
+    /// `box` cut down to what shapes among `limits`, which must all hold, leave of it together with it.
+    Bounds within(std::span<const uint32_t> limits, uint32_t without, Bounds box) const;
     bool met_by(uint32_t node, const Vec3& p, const Ray& ray) const;
     bool crosses(uint32_t node, const Ray& ray) const;
 
