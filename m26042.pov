@@ -1,1 +1,0 @@
-#version 3.7; global_settings{assumed_gamma 1 photons{radius 0,1,.2,1 media 10 gather 5,100 load_file "m.ph"}} camera{orthographic location <1.4,0,-20> direction z right .0001*x up .0001*y} box{<-2,-2,-2>,<2,2,2> pigment{rgbt 1} finish{diffuse 0 ambient 0} hollow interior{media{scattering{1,1 extinction 0} intervals 20 samples 20,20}}} plane{-z,-10 pigment{rgb 0}}
