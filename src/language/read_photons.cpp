@@ -42,8 +42,8 @@ double take_threshold(BlockReader& in, std::string_view which) {
 
 /// Each of the four may be left out, before its comma or at the end.
 void take_radius(BlockReader& in, PhotonSettings& photons) {
-    for (double* value : {&photons.surface_radius.radius, &photons.surface_radius.multiplier,
-                          &photons.media_radius.radius}) {
+    for (double* value :
+         {&photons.surface_radius.radius, &photons.surface_radius.multiplier, &photons.media_radius.radius}) {
         if (in.at_number()) {
             *value = in.number();
         } else if (!in.take_comma()) {
