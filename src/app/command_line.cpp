@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <map>
 
 #include <CLI/CLI.hpp>
@@ -24,7 +25,8 @@ constexpr std::string_view footer =
     "+L<dir> +WT<n> +SC +EC +SR +ER -D -P -V, Name=value options, file.ini[section].\n\n"
     "renderboy check SCENE reads a scene and lists what does not work yet (--deps: the files it uses).\n"
     "renderboy diff A B compares two pictures; see `renderboy diff --help`.\n"
-    "Exit codes: 0 done, 1 error (or a limit of diff passed), 2 stopped by a signal.";
+    "renderboy compare SCENE... renders with POV-Ray, too, and compares; see `renderboy compare --help`.\n"
+    "Exit codes: 0 done, 1 error (or a limit of diff or compare passed), 2 stopped by a signal.";
 
 void set_size(Settings& settings, const std::string& text) {
     const size_t cross = text.find_first_of("xX");
@@ -49,6 +51,19 @@ double share_of(const std::string& text) {
     return value;
 }
 
+/// The words of a command with options of its own.
+void parse_own(CLI::App& app, const std::vector<std::string>& arguments, CommandLine& line) {
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    try {
+        app.parse(reversed);
+    } catch (const CLI::CallForHelp&) {
+        line.command = Command::help;
+        line.text = app.help();
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+}
+
 CommandLine parse_diff(const std::vector<std::string>& arguments) {
     CommandLine line;
     line.command = Command::diff;
@@ -64,15 +79,56 @@ CommandLine parse_diff(const std::vector<std::string>& arguments) {
                    "exit 1 above this share of pixels off by more than 8/255 (0..1)");
     app.add_option("--min-ssim", diff.min_ssim, "exit 1 below this structural similarity");
     app.add_flag("--json", diff.json, "print JSON");
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
-    try {
-        app.parse(reversed);
-    } catch (const CLI::CallForHelp&) {
-        line.command = Command::help;
-        line.text = app.help();
-    } catch (const CLI::ParseError& error) {
-        throw UsageError(error.what());
+    parse_own(app, arguments, line);
+    return line;
+}
+
+/// One scene a line, its own switches behind it; `#` starts a comment.
+void read_scene_list(const std::string& path, std::vector<SceneToCompare>& out) {
+    std::ifstream in(path);
+    if (!in) throw UsageError(fmt::format("{}: cannot be read", path));
+    for (std::string line; std::getline(in, line);) {
+        std::vector<std::string> words = split_words(line.substr(0, line.find('#')));
+        if (words.empty()) continue;
+        out.push_back({words.front(), {words.begin() + 1, words.end()}});
     }
+}
+
+CommandLine parse_compare(const std::vector<std::string>& arguments) {
+    CommandLine line;
+    line.command = Command::compare;
+    CLI::App app{
+        "Renders scenes with POV-Ray and with RenderBoy, each in a process of its own, and compares pictures "
+        "and "
+        "times. POV-Ray's words (+W640, +A0.3, +Lfolder, Name=value, file.ini) go to both; 320x240 by "
+        "default.",
+        "renderboy compare"};
+    CompareSettings& compare = line.compare;
+    std::optional<std::string> list;
+    app.allow_extras();
+    app.add_option("--list", list, "a file with a scene and its own switches in each line");
+    app.add_option("--povray", compare.povray, "the program to compare with (default: povray)");
+    app.add_option("--timeout", compare.timeout, "seconds after which a run is killed (default: 600)")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--max-off", compare.max_off,
+                   "exit 1 above this share of pixels off by more than 8/255 (default: 0.01)");
+    app.add_option("--max-rmse", compare.max_rmse, "exit 1 above this RMSE (in 1/255)");
+    app.add_option("--min-ssim", compare.min_ssim, "exit 1 below this structural similarity");
+    app.add_option("--html", compare.html, "write a page with all pictures and figures");
+    app.add_option("--table", compare.table, "write the figures as a table with tabs");
+    app.add_option("--cache", compare.cache,
+                   "folder that keeps pictures and figures; what is there is not rendered again");
+    parse_own(app, arguments, line);
+    if (line.command == Command::help) return line;
+    if (list) read_scene_list(*list, compare.scenes);
+    for (const std::string& word : app.remaining()) {
+        if (std::filesystem::path(word).extension() == ".pov" && word.front() != '+' && word.front() != '-') {
+            compare.scenes.push_back({word, {}});
+        } else {
+            compare.words.push_back(word);
+        }
+    }
+    if (compare.scenes.empty()) throw UsageError("compare: no scene (a file that ends in .pov)");
     return line;
 }
 
@@ -187,6 +243,7 @@ private:
 CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     const std::string first = arguments.empty() ? "" : arguments.front();
     if (first == "diff") return parse_diff({arguments.begin() + 1, arguments.end()});
+    if (first == "compare") return parse_compare({arguments.begin() + 1, arguments.end()});
     CommandLine line;
     Settings& settings = line.settings;
     if (first == "check") line.command = Command::check;

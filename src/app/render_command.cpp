@@ -298,6 +298,8 @@ int run(const std::vector<std::string>& arguments, std::string_view program) {
                 return exit_done;
             case Command::diff:
                 return run_diff(line.diff);
+            case Command::compare:
+                return run_compare(line.compare);
             case Command::check:
                 return run_check(line.settings);
             case Command::render:

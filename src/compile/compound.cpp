@@ -123,7 +123,7 @@ void Compound::crossings(const ShapeRay& ray, Crossings& out) const {
                                                     leaf.object_from_world.direction(ray.ray.direction)};
         Crossings all;
         leaf.shape->crossings(ShapeRay{moved, ray.t_min, ray.t_max}, all);
-        const SolidFilter filter(flat.solids, leaf, ray.ray);
+        const SolidFilter filter(flat, i, ray.ray);
         for (size_t k = 0; k < all.size(); ++k) {
             Crossing crossing = all[k];
             if (!filter.counts(crossing)) continue;

@@ -13,17 +13,26 @@ constexpr double coordinate_error = 1e-14;
 /// CSG and clips at a candidate crossing.
 class SolidFilter final : public CrossingFilter {
 public:
-    SolidFilter(const SolidForest& solids, const Leaf& leaf, const Ray& ray)
-        : solids_(solids), leaf_(leaf), ray_(ray) {}
+    SolidFilter(const FlatGeometry& flat, uint32_t leaf, const Ray& ray)
+        : solids_(flat.solids), leaf_(flat.leaves[leaf]), box_(flat.boxes[leaf]), ray_(ray) {}
     bool counts(const Crossing& crossing) const override {
         Vec3 p = ray_.at(crossing.t);
+        if (!box_.contains(p) && is_far(p)) return false;
         if (leaf_.in_world_space) leaf_.shape->snap(crossing, p);
         return solids_.counts(leaf_.solid, p, ray_);
     }
 
 private:
+    /// Farther from the box in which crossings count than rounding may have moved it.
+    bool is_far(const Vec3& p) const {
+        constexpr double rounding = 1e-9;
+        const Vec3 slack{rounding * (largest_magnitude(p) + largest_magnitude(p - ray_.origin))};
+        return !Bounds{box_.lo - slack, box_.hi + slack}.contains(p);
+    }
+
     const SolidForest& solids_;
     const Leaf& leaf_;
+    const Bounds& box_;
     const Ray& ray_;
 };
 
@@ -198,7 +207,7 @@ private:
     template <bool any>
     bool ask_elsewhere(const Element& e, Crossing& found) const {
         const Leaf& leaf = parts_.flat.leaves[e.leaf];
-        if (e.in_world_space) return ask_solid<any>(e, leaf, ray_, found);
+        if (e.in_world_space) return ask_solid<any>(e, ray_, found);
         const Ray ray{leaf.object_from_world.point(ray_.ray.origin),
                       leaf.object_from_world.direction(ray_.ray.direction)};
         const ShapeRay moved{ray,
@@ -212,14 +221,14 @@ private:
             return any ? compound.any_of(moved, query_.mask, query_.origin_member, found)
                        : compound.closest_of(moved, query_.mask, query_.origin_member, found);
         }
-        return ask_solid<any>(e, leaf, moved, found);
+        return ask_solid<any>(e, moved, found);
     }
 
     template <bool any>
-    bool ask_solid(const Element& e, const Leaf& leaf, const ShapeRay& ray, Crossing& found) const {
+    bool ask_solid(const Element& e, const ShapeRay& ray, Crossing& found) const {
         if (!e.tests_hits)
             return any ? e.shape->any(ray, nullptr, found) : e.shape->closest(ray, nullptr, found);
-        const SolidFilter filter(parts_.flat.solids, leaf, query_.ray);
+        const SolidFilter filter(parts_.flat, e.leaf, query_.ray);
         return any ? e.shape->any(ray, &filter, found) : e.shape->closest(ray, &filter, found);
     }
 

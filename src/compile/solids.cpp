@@ -126,11 +126,25 @@ void SolidForest::set_regions(uint32_t index) {
         set_regions(clip);
         region = intersection(region, nodes[clip].region);
     }
+    if (node.kind == SolidNode::Kind::intersection) region = within(children_of(node), no_node, region);
+    region = within(lists_of(node).clips, no_node, region);
     for (const uint32_t bound : lists_of(node).bounds) set_regions(bound);
     node.region = region;
 }
 
+Bounds SolidForest::within(std::span<const uint32_t> limits, uint32_t without, Bounds box) const {
+    for (const uint32_t limit : limits) {
+        const SolidNode& node = nodes[limit];
+        if (limit == without || node.kind != SolidNode::Kind::shape || node.inverted) continue;
+        const PlacedShape& placed = shapes[node.placed];
+        if (placed.in_world_space && !placed.shape->is_patch()) box = placed.shape->solid_bounds_within(box);
+    }
+    return box;
+}
+
 Bounds SolidForest::cut(uint32_t leaf, Bounds box) const {
+    const PlacedShape& own = shapes[nodes[leaf].placed];
+    if (own.in_world_space) box = intersection(box, own.shape->bounds_within(box));
     for (uint32_t from = no_node, at = leaf; at != no_node; from = at, at = nodes[at].parent) {
         const SolidNode& node = nodes[at];
         if (!node.tests_hits) break;
@@ -138,10 +152,12 @@ Bounds SolidForest::cut(uint32_t leaf, Bounds box) const {
             for (const uint32_t child : children_of(node)) {
                 if (child != from) box = intersection(box, nodes[child].region);
             }
+            box = within(children_of(node), from, box);
         }
         for (const uint32_t clip : lists_of(node).clips) box = intersection(box, nodes[clip].region);
+        box = within(lists_of(node).clips, no_node, box);
     }
-    return box;
+    return own.in_world_space ? intersection(box, own.shape->bounds_within(box)) : box;
 }
 
 }  // namespace rb

@@ -74,6 +74,8 @@ private:
         return node.lists == no_node ? no_lists : lists[node.lists];
     }
     bool in_all(std::span<const uint32_t> list, const Vec3& p) const;
+    /// `box` cut down to what shapes among `limits`, which must all hold, leave of it together with it.
+    Bounds within(std::span<const uint32_t> limits, uint32_t without, Bounds box) const;
     bool met_by(uint32_t node, const Vec3& p, const Ray& ray) const;
     bool crosses(uint32_t node, const Ray& ray) const;
 

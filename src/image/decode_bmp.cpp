@@ -19,7 +19,7 @@ struct BmpHeader {
     uint32_t colors = 0;
 };
 
-BmpHeader read_header(ByteReader& in) {
+BmpHeader read_bmp_header(ByteReader& in) {
     if (in.take(2) != "BM") throw IoError("not a BMP file");
     BmpHeader h;
     in.skip(8);
@@ -141,7 +141,7 @@ private:
 
 Image decode_bmp(std::string_view bytes) {
     ByteReader in(bytes);
-    const BmpHeader h = read_header(in);
+    const BmpHeader h = read_bmp_header(in);
     constexpr double most_packed = 256.0;
     Image image =
         sized_image(h.width, h.height, h.bits >= 24 ? 3 : 1, bytes, h.compression ? most_packed : 8.0);

@@ -18,7 +18,7 @@ struct TargaHeader {
     bool is_grey() const { return kind % 8 == 3; }
 };
 
-TargaHeader read_header(ByteReader& in) {
+TargaHeader read_targa_header(ByteReader& in) {
     TargaHeader h;
     h.id_length = in.u8();
     h.palette_kind = in.u8();
@@ -101,7 +101,7 @@ std::vector<std::array<uint8_t, 4>> read_palette(ByteReader& in, const TargaHead
 
 Image decode_targa(std::string_view bytes) {
     ByteReader in(bytes);
-    const TargaHeader h = read_header(in);
+    const TargaHeader h = read_targa_header(in);
     in.skip(h.id_length);
     constexpr double most_packed = 128.0;
     const int channels = h.bits == 8 ? 1 : h.bits == 32 ? 4 : 3;

@@ -163,7 +163,6 @@ struct action<lexical::not_equal> : add_sign<Tok::not_equal> {};
 
 using CharacterInput = pegtl::memory_input<pegtl::tracking_mode::lazy, pegtl::eol::lf_crlf, std::string_view>;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool begins_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 /// Words, numbers and signs by hand; the grammar is the slow twin and takes whatever else there is.

@@ -11,7 +11,6 @@ namespace rb {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == '\0' || c == '\x1a'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 class Scanner {
 public:

@@ -5,6 +5,8 @@
 
 namespace rb {
 
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// A list of vectors of plain numbers with the same number of terms, found by looking at bytes only.
 struct NumberRun {
     size_t size = 0;   ///< bytes from the first `<` to the last `>`

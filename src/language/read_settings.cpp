@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -29,25 +28,23 @@ void read_assumed_gamma(Session& session, BlockReader& in) {
     settings.assumed_gamma = curve;
 }
 
-constexpr double endless = std::numeric_limits<double>::infinity();
-
 /// What a number of radiosity must be. Both ends belong to the range, but for a low end of `above`.
 struct RadiosityNumber {
     std::string_view word;
     std::string_view error;
-    double low = -endless;
-    double high = endless;
+    double low = -infinity;
+    double high = infinity;
     bool above = false;
 };
 constexpr std::array<RadiosityNumber, 15> radiosity_numbers{
-    {{"adc_bailout", "ADC Bailout must be a positive number.", 0, endless, true},
+    {{"adc_bailout", "ADC Bailout must be a positive number.", 0, infinity, true},
      {"always_sample", ""},
-     {"brightness", "Radiosity brightness must be a positive number.", 0, endless, true},
-     {"error_bound", "Radiosity error bound must be a positive number.", 0, endless, true},
+     {"brightness", "Radiosity brightness must be a positive number.", 0, infinity, true},
+     {"error_bound", "Radiosity error bound must be a positive number.", 0, infinity, true},
      {"gray_threshold", "Radiosity gray threshold must be from 0.0 to 1.0.", 0, 1},
-     {"low_error_factor", "Radiosity low error factor must be a positive number.", 0, endless, true},
+     {"low_error_factor", "Radiosity low error factor must be a positive number.", 0, infinity, true},
      {"max_sample", ""},
-     {"maximum_reuse", "Radiosity maximum reuse must be a positive number.", 0, endless, true},
+     {"maximum_reuse", "Radiosity maximum reuse must be a positive number.", 0, infinity, true},
      {"minimum_reuse", "Radiosity minimum reuse can not be a negative number.", 0},
      {"normal", ""},
      {"media", ""},

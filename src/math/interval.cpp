@@ -9,8 +9,6 @@ namespace rb {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Around a result that is rounded correctly.
 Interval rounded(double lo, double hi, bool nan) { return {next_below(lo), next_above(hi), nan}; }
 

@@ -11,46 +11,51 @@ template <class Box>
 class RangeTree {
 public:
     RangeTree() = default;
-    explicit RangeTree(const std::vector<Box>& elements) : count_(static_cast<uint32_t>(elements.size())) {
-        if (count_ == 0) return;
-        boxes_.resize(2 * elements.size() - 1);
-        build(elements, 0, 0, count_);
+    explicit RangeTree(const std::vector<Box>& elements) {
+        if (elements.empty()) return;
+        nodes_.reserve(2 * elements.size() - 1);
+        build(elements, 0, static_cast<uint32_t>(elements.size()));
     }
 
     /// Calls take(index), in order, for every element that stands below boxes which `meets(box)` accepts.
     template <class Meets, class Take>
     void visit(Meets&& meets, Take&& take) const {
-        if (count_ > 0) visit(meets, take, 0, 0, count_);
+        const auto count = static_cast<uint32_t>(nodes_.size());
+        for (uint32_t i = 0; i < count;) {
+            const Node& node = nodes_[i];
+            if (!meets(node.box)) {
+                i = node.after;
+                continue;
+            }
+            if (node.element != inner) take(node.element);
+            ++i;
+        }
     }
 
 private:
-    // The node of [first, last) is followed by those of its first half, then by those of its second half.
-    static uint32_t middle(uint32_t first, uint32_t last) { return first + (last - first) / 2; }
+    static constexpr uint32_t inner = 0xffffffff;
 
-    void build(const std::vector<Box>& elements, uint32_t node, uint32_t first, uint32_t last) {
+    /// Followed by what stands below it.
+    struct Node {
+        Box box;
+        uint32_t after = 0;  ///< the first node that does not stand below it
+        uint32_t element = inner;
+    };
+
+    void build(const std::vector<Box>& elements, uint32_t first, uint32_t last) {
+        const size_t node = nodes_.size();
         Box box = elements[first];
         for (uint32_t i = first + 1; i < last; ++i) box.include(elements[i]);
-        boxes_[node] = box;
-        if (last - first == 1) return;
-        const uint32_t half = middle(first, last);
-        build(elements, node + 1, first, half);
-        build(elements, node + 2 * (half - first), half, last);
-    }
-
-    template <class Meets, class Take>
-    void visit(Meets& meets, Take& take, uint32_t node, uint32_t first, uint32_t last) const {
-        if (!meets(boxes_[node])) return;
-        if (last - first == 1) {
-            take(first);
-            return;
+        nodes_.push_back({box, 0, last - first == 1 ? first : inner});
+        if (last - first > 1) {
+            const uint32_t half = first + (last - first) / 2;
+            build(elements, first, half);
+            build(elements, half, last);
         }
-        const uint32_t half = middle(first, last);
-        visit(meets, take, node + 1, first, half);
-        visit(meets, take, node + 2 * (half - first), half, last);
+        nodes_[node].after = static_cast<uint32_t>(nodes_.size());
     }
 
-    uint32_t count_ = 0;
-    std::vector<Box> boxes_;
+    std::vector<Node> nodes_;
 };
 
 }  // namespace rb

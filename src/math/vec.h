@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -13,6 +15,7 @@ using Vec3 = glm::dvec3;
 using Vec3f = glm::vec3;
 
 inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 inline double max_component(const Vec3& v) {
     return v.x > v.y ? (v.x > v.z ? v.x : v.z) : (v.y > v.z ? v.y : v.z);

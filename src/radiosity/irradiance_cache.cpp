@@ -36,7 +36,7 @@ void IrradianceCache::insert(const IrradianceRecord& record) {
     const double reach = record.radius * bound_;
     // Places whose neighbours double precision cannot tell apart are of no use.
     if (!(reach > 1e-9 * max_component(glm::abs(record.point))) || !std::isfinite(reach)) return;
-    const int exponent = static_cast<int>(std::ceil(std::log2(1.0 * reach)));
+    const int exponent = static_cast<int>(std::ceil(std::log2(2.0 * reach)));
     Level& level = levels_[exponent];
     level.cell_size = std::ldexp(1.0, exponent);
     constexpr double rounding = 1e-9;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -32,8 +31,6 @@ int rays_for(int count) {
     constexpr int enough = 256;
     return std::clamp(count, std::min(count, enough / 4) * 4, most_rays);
 }
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -174,7 +171,7 @@ void RayGather::trace(Batch& batch, int depth, const IndirectLight* next) const 
 
 Gathered RayGather::summed(const Cells& cells, bool gradients) const {
     Gathered sum;
-    sum.nearest = unlimited;
+    sum.nearest = infinity;
     double inverse_distances = 0;
     size_t count = 0;
     for (const GatheredLight& light : cells.light) {
@@ -187,7 +184,7 @@ Gathered RayGather::summed(const Cells& cells, bool gradients) const {
     if (count == 0) return {};
     const Rgb mean = sum.mean / static_cast<float>(count);
     sum.mean = toned(mean);
-    sum.distance = inverse_distances > 0.0 ? static_cast<double>(count) / inverse_distances : unlimited;
+    sum.distance = inverse_distances > 0.0 ? static_cast<double>(count) / inverse_distances : infinity;
     // Where directions are missing nothing is known of what moves in or out.
     if (!gradients || count < cells.light.size()) return sum;
     sum.rotation = cells.rotation(mean);

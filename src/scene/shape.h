@@ -129,6 +129,13 @@ public:
     /// A box around `inside`; everything() where the solid is larger than its surface (a disc's half-space).
     virtual Bounds solid_bounds() const { return bounds(); }
 
+    /// Boxes around what the surface, and what the solid, has in `region`: of some infinite shapes a slab
+    /// leaves a finite part.
+    virtual Bounds bounds_within(const Bounds& region) const { return intersection(bounds(), region); }
+    virtual Bounds solid_bounds_within(const Bounds& region) const {
+        return intersection(solid_bounds(), region);
+    }
+
     /// Adds all crossings.
     virtual void crossings(const ShapeRay& ray, Crossings& out) const = 0;
 

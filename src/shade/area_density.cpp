@@ -30,11 +30,22 @@ AxisDensity::AxisDensity(int size) {
         sum += weight;
     }
     before_.push_back(1.0);
+    guide_.resize(4 * weights.size());
+    size_t index = 0;
+    for (size_t i = 0; i < guide_.size(); ++i) {
+        index = index_from(index, static_cast<double>(i) / static_cast<double>(guide_.size()));
+        guide_[i] = static_cast<uint32_t>(index);
+    }
+}
+
+size_t AxisDensity::index_from(size_t index, double u) const {
+    while (index + 2 < before_.size() && before_[index + 1] <= u) ++index;
+    return index;
 }
 
 double AxisDensity::place(double u) const {
-    const auto next = std::upper_bound(before_.begin() + 1, before_.end() - 1, u);
-    const auto index = static_cast<size_t>(next - before_.begin()) - 1;
+    const auto near = static_cast<size_t>(u * static_cast<double>(guide_.size()));
+    const size_t index = index_from(guide_[near], u);
     const double share = (u - before_[index]) / (before_[index + 1] - before_[index]);
     return static_cast<double>(index) + share - 0.5;
 }

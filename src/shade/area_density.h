@@ -24,7 +24,12 @@ public:
     }
 
 private:
+    /// The place that `u` falls on, not before `index`.
+    size_t index_from(size_t index, double u) const;
+
     std::vector<double> before_;  ///< each place: the weight of those before it; then 1
+    std::vector<uint32_t>
+        guide_;  ///< where equal parts of [0, 1) begin: the place; not after that of any `u` in them
 };
 
 }  // namespace rb

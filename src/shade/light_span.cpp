@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rb {
 
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
-
 struct Part {
-    double from = -endless;
-    double to = endless;
+    double from = -infinity;
+    double to = infinity;
 };
 using MaybePart = std::optional<Part>;
 
@@ -44,7 +41,7 @@ MaybePart in_cone(const Vec3& from_apex, const Vec3& axis, double angle, const R
         return roots;
     }
     if (!roots) return Part{};
-    return along > 0.0 ? Part{roots->to, endless} : Part{-endless, roots->from};
+    return along > 0.0 ? Part{roots->to, infinity} : Part{-infinity, roots->from};
 }
 
 MaybePart in_cylinder(const Vec3& from_light, const Vec3& axis, double radius, const Ray& ray) {

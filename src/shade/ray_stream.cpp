@@ -11,9 +11,7 @@ namespace rb {
 namespace {
 
 /// Length of a ray that hits nothing, for the atmosphere.
-constexpr double endless = 2e10;
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double missed_length = 2e10;
 
 constexpr uint32_t bundle_size = 64;
 
@@ -39,7 +37,7 @@ void RayStream::gather(std::span<const GatherRay> rays, int depth, std::span<Gat
 }
 
 void RayStream::note_distances(std::span<GatheredLight> out) const {
-    for (GatheredLight& light : out) light.distance = unlimited;
+    for (GatheredLight& light : out) light.distance = infinity;
     // Of a ray and its hits only these remain when the wave is over.
     for (const HitPoint& hit : state_.hits) out[hit.ray].distance = hit.t;
 }
@@ -59,7 +57,7 @@ void RayStream::start(std::span<const GatherRay> rays, int depth) {
     const GlobalSettings& settings = program_.world.settings;
     const int level = 3 * depth / 2;
     state_.depth = depth;
-    state_.reach = unlimited;
+    state_.reach = infinity;
     state_.limits = {std::max(settings.max_trace_level, level + 1), program_.adc_bailout};
     const float importance = std::max(
         program_.adc_bailout, std::pow(0.5f * settings.radiosity->brightness, static_cast<float>(depth)));
@@ -83,7 +81,7 @@ void RayStream::start(std::span<const CameraRay> rays) {
     state_.depth = 0;
     state_.limits = {program_.world.settings.max_trace_level, program_.adc_bailout};
     const MeshCamera* mesh = program_.world.camera.mesh.get();
-    state_.reach = mesh && mesh->max_distance > 0.0 ? std::nextafter(mesh->max_distance, 0.0) : unlimited;
+    state_.reach = mesh && mesh->max_distance > 0.0 ? std::nextafter(mesh->max_distance, 0.0) : infinity;
     if (!(1.0f >= program_.adc_bailout)) return;
 
     Vec3 origin = program_.world.camera.location;
@@ -107,7 +105,7 @@ void RayStream::start(std::span<const CameraRay> rays) {
 void RayStream::run_wave() {
     intersect();
     shade_hits();
-    state_.reach = unlimited;
+    state_.reach = infinity;
     std::swap(state_.rays, state_.next);
     state_.next.clear();
 }
@@ -262,7 +260,8 @@ void RayStream::shade_sky(std::span<const uint32_t> misses) {
         Rgb weight = ray.weight;
         float alpha = ray.alpha;
         if (program_.has_air())
-            pass_air(misses[i], std::min(endless, state_.reach), program_.light_lists.front(), weight, alpha);
+            pass_air(misses[i], std::min(missed_length, state_.reach), program_.light_lists.front(), weight,
+                     alpha);
         LightSlot& slot = state_.slots[ray.slot];
         slot.rgb += weight * seen.rgb;
         slot.transmit += alpha * seen.transmit;

@@ -10,8 +10,6 @@ namespace rb {
 
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
-
 /// Mean reflection of diffuse light at the inside of a surface (measured).
 double inner_reflection(double ior) {
     if (ior < 1.0) return ior * ior - std::pow(ior, 2.25);
@@ -131,7 +129,7 @@ void SubsurfaceLight::each_light(const HitPoint& place, std::span<const uint32_t
 Rgb SubsurfaceLight::scattered_often(const HitPoint& hit, const Bulk& bulk,
                                      std::span<const uint32_t> lights) {
     const Vec3 inward = -hit.normal;
-    const auto opposite = wall(hit, {hit.point, inward}, true, endless);
+    const auto opposite = wall(hit, {hit.point, inward}, true, infinity);
     double depth = 1.0 / static_cast<double>(grey(Rgb(bulk.extinction)));
     if (opposite) depth = std::min(depth, 0.5 * opposite->t);
     const Vec3 base = hit.point + depth * inward;
@@ -141,7 +139,7 @@ Rgb SubsurfaceLight::scattered_often(const HitPoint& hit, const Bulk& bulk,
     int met = 0;
     for (int i = 0; i < count; ++i) {
         const Vec3 direction = on_sphere(scrambled_sobol(static_cast<uint32_t>(i), seed));
-        const auto place = wall(hit, {base, direction}, false, endless);
+        const auto place = wall(hit, {base, direction}, false, infinity);
         if (!place) continue;
         ++met;
         const double slant = std::max(0.01, std::abs(glm::dot(direction, place->normal)));
@@ -173,8 +171,8 @@ Rgb SubsurfaceLight::scattered_once(const HitPoint& hit, const Vec3& normal, con
     const Ray way_in{hit.point, *inward};
     Hit end;
     const bool ends =
-        program_.geometry.closest(StreamState::query_from(hit, *inward, endless, seen_by_image), end);
-    const double longest = ends ? end.t : endless;
+        program_.geometry.closest(StreamState::query_from(hit, *inward, infinity, seen_by_image), end);
+    const double longest = ends ? end.t : infinity;
     const double seen_cosine = std::abs(glm::dot(*inward, normal));
     const int count = program_.world.settings.subsurface->single_samples;
     const uint64_t seed = mixed(state_.ray_of(hit).seed, draw_body_depths);
@@ -221,7 +219,7 @@ std::optional<SubsurfaceLight::Passage> SubsurfaceLight::straight_through(const 
     const Bulk bulk = bulk_of(finish, pigment, ior);
     const auto inward = refracted(hit.direction, normal, ior);
     if (!inward) return std::nullopt;
-    const auto exit = wall(hit, {hit.point, *inward}, true, endless);
+    const auto exit = wall(hit, {hit.point, *inward}, true, infinity);
     if (!exit) return std::nullopt;
     const auto outward = refracted(*inward, -exit->normal, 1.0 / ior);
     if (!outward) return std::nullopt;

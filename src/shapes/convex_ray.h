@@ -1,4 +1,6 @@
 #pragma once
+#include "math/vec.h"
+
 #include <cmath>
 #include <limits>
 
@@ -127,7 +129,6 @@ void convex_roots_between(const Value& value, const Slope& slope, double a, doub
     if ((fa < 0.0) != (fb < 0.0)) {
         take(bracketed_root(value, a, fa, b, fb));
     } else if (fa >= 0.0) {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
         Tangent from{a, fa, -infinity};
         Tangent to{b, fb, infinity};
         const Tangent valley = convex_valley(value, slope, from, to);

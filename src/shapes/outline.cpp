@@ -108,12 +108,12 @@ CurvePiece spline_piece(OutlineSpline kind, const Vec2* p) {
 Outline::Outline(std::vector<CurvePiece> pieces) : pieces_(std::move(pieces)) {
     if (pieces_.empty()) return;
     box_ = {};
-    std::vector<FlatBox> hulls;
+    std::vector<CenteredBox> hulls;
     for (const CurvePiece& piece : pieces_) {
         include_piece(piece, box_);
-        hulls.push_back(hull_of(piece));
+        hulls.emplace_back(hull_of(piece));
     }
-    tree_ = RangeTree<FlatBox>(hulls);
+    tree_ = RangeTree<CenteredBox>(hulls);
     if (std::ranges::all_of(pieces_, [](const CurvePiece& piece) { return piece.degree == 1; })) return;
     samples_.resize(pieces_.size());
     for (size_t i = 0; i < pieces_.size(); ++i) {
@@ -147,7 +147,7 @@ Outline::Contact Outline::nearest_on(uint32_t index, const Vec2& p) const {
 
 Outline::Contact Outline::nearest(const Vec2& p, double within) const {
     Contact best{0, 0.0, within};
-    tree_.visit([&](const FlatBox& box) { return box.distance(p) < best.distance; },
+    tree_.visit([&](const CenteredBox& box) { return box.distance(p) < best.distance; },
                 [&](uint32_t piece) {
                     const Contact found = nearest_on(piece, p);
                     if (found.distance < best.distance) best = found;

@@ -77,6 +77,44 @@ struct FlatBox {
     }
 };
 
+/// A box by its middle and half its size, larger than what it was made of by more than rounding errors: where
+/// a line is tested against many boxes, each test takes few steps.
+struct CenteredBox {
+    Vec2 center{0.0};
+    Vec2 half{0.0};
+
+    CenteredBox() = default;
+    explicit CenteredBox(const FlatBox& box)
+        : center(0.5 * (box.lo + box.hi)), half(0.5 * (box.hi - box.lo)) {
+        constexpr double rounding = 2e-14;
+        half += rounding * glm::max(glm::abs(box.lo), glm::abs(box.hi));
+    }
+    void include(const CenteredBox& box) {
+        FlatBox both{center - half, center + half};
+        both.include(FlatBox{box.center - box.half, box.center + box.half});
+        *this = CenteredBox(both);
+    }
+    /// Not more than that to the points inside.
+    double distance(const Vec2& p) const {
+        return glm::length(glm::max(glm::abs(p - center) - half, Vec2{0.0}));
+    }
+
+    /// True only for boxes that the line passes by.
+    class Misses {
+    public:
+        explicit Misses(const PlaneLine& line)
+            : line_(line), a_(std::abs(line.a)), b_(std::abs(line.b)), margin_(rounding * std::abs(line.c)) {}
+        bool operator()(const CenteredBox& box) const {
+            return std::abs(line_.side(box.center)) > a_ * box.half.x + b_ * box.half.y + margin_;
+        }
+
+    private:
+        static constexpr double rounding = 1e-14;
+        PlaneLine line_;
+        double a_, b_, margin_;
+    };
+};
+
 /// A region of the plane: what closed curves enclose by the even-odd rule. The pieces of a curve follow each
 /// other, and where one ends the next begins with the same numbers.
 class Outline {
@@ -115,7 +153,8 @@ public:
         if (pieces_.size() <= few) {
             for (uint32_t i = 0; i < pieces_.size(); ++i) take(i);
         } else {
-            tree_.visit([&](const FlatBox& box) { return !box.is_missed_by(line); }, take);
+            const CenteredBox::Misses misses(line);
+            tree_.visit([&](const CenteredBox& box) { return !misses(box); }, take);
         }
     }
 
@@ -147,7 +186,7 @@ private:
 
     std::vector<CurvePiece> pieces_;
     std::vector<std::array<Vec2, sample_count>> samples_;  ///< empty if all pieces are straight
-    RangeTree<FlatBox> tree_;
+    RangeTree<CenteredBox> tree_;
     FlatBox box_{Vec2{0.0}, Vec2{0.0}};
 };
 

@@ -20,6 +20,16 @@ public:
     Curvature curvature() const override { return Curvature::flat; }
     Bounds bounds() const override { return Bounds::everything(); }
 
+    Bounds bounds_within(const Bounds& region) const override {
+        Bounds flat = region;
+        if (axis_ < 0) return flat;
+        const double at = distance_ * normal_[axis_];
+        const double slack = 4e-12 * std::abs(at);
+        flat.lo[axis_] = std::max(flat.lo[axis_], at - slack);
+        flat.hi[axis_] = std::min(flat.hi[axis_], at + slack);
+        return flat;
+    }
+
     Bounds solid_bounds() const override {
         Bounds half = Bounds::everything();
         if (axis_ < 0) return half;

@@ -101,7 +101,6 @@ double least_on_face(LeastValue& form, const Bounds& part, int axis, int levels)
 
 /// Half the size of a cube beyond which the highest powers outweigh all others; infinity if there is none.
 double outer_radius(int order, const Monomials& terms) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     // An odd power has both signs.
     if (order % 2 == 1) return infinity;
     Monomials highest;

@@ -1,11 +1,13 @@
 // quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }   (manual 3.5.3.4):
 // A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J = 0
+#include "math/interval.h"
 #include "math/roots.h"
 #include "shapes/ray_shape.h"
 #include "shapes/registry.h"
 #include "shapes/revolve.h"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -99,6 +101,102 @@ Bounds surface_box(const Form& form) {
     return Bounds::everything();
 }
 
+/// The least value of q y^2 + g y for y from lo to hi.
+double least_of(double q, double g, double lo, double hi) {
+    double least = std::min((q * lo + g) * lo, (q * hi + g) * hi);
+    if (q > 0.0) {
+        const double bottom = -0.5 * g / q;
+        if (bottom > lo && bottom < hi) least = std::min(least, -0.25 * g * g / q);
+    }
+    return least;
+}
+
+/// The form at its least along an axis where it is convex: one of the two other coordinates.
+Form least_along(const Form& f, int axis) {
+    const auto k = static_cast<size_t>(axis);
+    Form out = f;
+    for (size_t i = 0; i < 3; ++i) out.q[i] -= f.q[k] * (f.q[k][static_cast<int>(i)] / f.q[k][axis]);
+    out.g -= f.q[k] * (f.g[axis] / f.q[k][axis]);
+    out.j -= 0.25 * f.g[axis] * f.g[axis] / f.q[k][axis];
+    return out;
+}
+
+/// From where to where `a x^2 + b x + constant` can be at most zero for a given and some b of `linear`.
+Interval reach_of(double a, const Interval& linear, double constant) {
+    Interval reach{infinity, -infinity};
+    for (const double b : {linear.lo, linear.hi}) {
+        const double root = std::sqrt(std::max(b * b - 4.0 * a * constant, 0.0));
+        // A double root is known to half the digits.
+        constexpr double loose = 1e-7;
+        const double pad = loose * (std::abs(b) + root);
+        reach.lo = std::min(reach.lo, 0.5 * (-b - root - pad) / a);
+        reach.hi = std::max(reach.hi, 0.5 * (-b + root + pad) / a);
+    }
+    return reach;
+}
+
+/// The same for a = 0.
+Interval linear_reach(const Interval& linear, double constant) {
+    Interval reach{-infinity, infinity};
+    if (linear.lo > 0.0) reach.hi = std::max(-constant / linear.lo, -constant / linear.hi);
+    if (linear.hi < 0.0) reach.lo = std::min(-constant / linear.lo, -constant / linear.hi);
+    return reach;
+}
+
+/// From where to where along `axis` the form can be at most zero while the other coordinates lie in `region`,
+/// which may leave those open along which the form is convex: an inequality with the least that they make of
+/// its lower terms.
+Interval reach_along(Form f, int axis, const Bounds& region) {
+    constexpr Interval unknown{-infinity, infinity};
+    const double largest =
+        std::max({largest_magnitude(f.q[0]), largest_magnitude(f.q[1]), largest_magnitude(f.q[2])});
+    constexpr double rounding = 1e-12;
+    const auto square = [&](int i) { return f.q[static_cast<size_t>(i)][i]; };
+    const std::array<int, 2> others{(axis + 1) % 3, (axis + 2) % 3};
+    const auto is_open = [&](int i) { return !std::isfinite(region.lo[i]) || !std::isfinite(region.hi[i]); };
+    double terms = std::abs(f.j);
+    for (const int k : others) {
+        if (!is_open(k)) continue;
+        if (!(square(k) > rounding * largest)) return unknown;
+        f = least_along(f, k);
+        terms += std::abs(f.j);
+    }
+    const Vec3 far = glm::max(glm::abs(region.lo), glm::abs(region.hi));
+    Interval linear{f.g[axis], f.g[axis]};
+    double constant = f.j;
+    double mixed = 2.0 * std::abs(f.q[static_cast<size_t>(others[0])][others[1]]);
+    for (const int k : others) {
+        if (is_open(k)) {
+            mixed = 0.0;
+            continue;
+        }
+        const double slope = 2.0 * f.q[static_cast<size_t>(axis)][k];
+        linear.lo += std::min(slope * region.lo[k], slope * region.hi[k]);
+        linear.hi += std::max(slope * region.lo[k], slope * region.hi[k]);
+        constant += least_of(square(k), f.g[k], region.lo[k], region.hi[k]);
+        terms += (std::abs(square(k)) * far[k] + std::abs(f.g[k])) * far[k];
+        mixed *= far[k];
+    }
+    constant -= mixed + rounding * (terms + mixed);
+    if (square(axis) == 0.0) return linear_reach(linear, constant);
+    return square(axis) > rounding * largest ? reach_of(square(axis), linear, constant) : unknown;
+}
+
+/// The part of `region` in which the form can be at most zero, along axes on which the region is open.
+Bounds part_within(const Form& f, const Bounds& region) {
+    Bounds out = region;
+    // What bounds one axis may help on another.
+    constexpr int passes = 2;
+    for (int i = 0; i < 3 * passes; ++i) {
+        const int axis = i % 3;
+        if (std::isfinite(out.lo[axis]) && std::isfinite(out.hi[axis])) continue;
+        const Interval reach = reach_along(f, axis, out);
+        out.lo[axis] = std::max(out.lo[axis], reach.lo);
+        out.hi[axis] = std::min(out.hi[axis], reach.hi);
+    }
+    return out;
+}
+
 class Quadric final : public RayShape<Quadric> {
 public:
     /// `turned`: normals are minus the gradient. The language's inverted quadric keeps its normals.
@@ -117,6 +215,12 @@ public:
             if (std::isfinite(box_.lo[i]) && q > 0.0) return box_;
         }
         return Bounds::everything();
+    }
+    Bounds bounds_within(const Bounds& region) const override {
+        return part_within(form_.negated(), part_within(form_, intersection(box_, region)));
+    }
+    Bounds solid_bounds_within(const Bounds& region) const override {
+        return part_within(form_, intersection(solid_bounds(), region));
     }
     bool inside(const Vec3& p) const override { return form_.at(p) <= 0.0; }
 

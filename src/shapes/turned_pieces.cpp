@@ -115,14 +115,16 @@ void TurnedLine::look_from_axis() {
         nearest = o.x * o.x + o.z * o.z;
     }
     y_near = o.y + t_near * d.y;
+    dd = d.y * d.y;
     constexpr double flat = 1e-12;
-    level = d.y * d.y <= flat * across;
+    level = dd <= flat * across;
+    constexpr double least_slope = 1e-6;
+    steep = dd >= least_slope * across;
     t_per_height = 1.0 / d.y;
 }
 
 double TurnedLine::t_at(const TurnedPiece& piece, double w) const {
-    constexpr double steep = 1e-6;
-    if (d.y * d.y >= steep * across) return (piece.height(w) - o.y) / d.y;
+    if (steep) return (piece.height(w) - o.y) / d.y;
     const Vec2 p = piece.at(w);
     const double half = std::sqrt(std::max(p.x * p.x - nearest, 0.0) / across);
     return (p.y < y_near) == (d.y < 0.0) ? t_near + half : t_near - half;
@@ -145,38 +147,46 @@ TurnedPieces::Box TurnedPieces::box_of(const TurnedPiece& piece) {
     Range y;
     include_values(bernstein_over_unit(piece.s), levels, s);
     include_values(bernstein_over_unit(piece.y), levels, y);
-    Box box{{std::sqrt(std::max(s.lo, 0.0)), y.lo}, {std::sqrt(std::max(s.hi, 0.0)), y.hi}};
-    box.include({glm::min(piece.start, piece.end), glm::max(piece.start, piece.end)});
+    const Vec2 least{std::sqrt(std::max(s.lo, 0.0)), y.lo};
+    const Vec2 most{std::sqrt(std::max(s.hi, 0.0)), y.hi};
+    const Vec2 lo = glm::min(least, glm::min(piece.start, piece.end));
+    const Vec2 hi = glm::max(most, glm::max(piece.start, piece.end));
     constexpr double rounding = 1e-12;
-    const Vec2 pad = rounding * glm::max(glm::abs(box.lo), glm::abs(box.hi));
-    box.lo = {std::max(box.lo.x - pad.x, 0.0), box.lo.y - pad.y};
-    box.hi += pad;
-    return box;
+    const Vec2 pad = rounding * glm::max(glm::abs(lo), glm::abs(hi));
+    return {{std::max(lo.x - pad.x, 0.0), lo.y - pad.y}, hi + pad};
 }
 
 /// By the terms of side(), so that it never contradicts the signs at the ends of a piece.
+TurnedPieces::Box::Box(const Vec2& lo, const Vec2& hi)
+    : lo_(lo),
+      hi_(hi),
+      middle_(0.5 * (lo.y + hi.y)),
+      half_(0.5 * (hi.y - lo.y)),
+      inner_(lo.x * lo.x),
+      outer_(hi.x * hi.x) {
+    constexpr double rounding = 1e-15;
+    half_ += rounding * std::max(std::abs(lo.y), std::abs(hi.y));
+}
+
 bool TurnedPieces::Box::may_meet(const TurnedLine& line, double t_min, double t_max) const {
-    if (t_max < t_min) return false;
     if (line.level) return true;
-    const double below = line.y_near - hi.y;
-    const double above = lo.y - line.y_near;
-    const double least = std::max(std::max(below, above), 0.0);
-    const double most = std::max(line.y_near - lo.y, hi.y - line.y_near);
-    const double dd = line.d.y * line.d.y;
-    const double outer = hi.x * hi.x;
-    constexpr double rounding = 1e-13;
+    const double off = std::abs(line.y_near - middle_);
+    const double least = std::max(off - half_, 0.0);
+    const double most = off + half_;
+    const double nearest = line.dd * line.nearest;
+    const double outer = line.dd * outer_;
     const double far = line.across * most * most;
-    const double margin = rounding * (far + dd * (line.nearest + outer));
-    if (line.across * least * least + dd * (line.nearest - outer) > margin) return false;
-    if (far + dd * (line.nearest - lo.x * lo.x) < -margin) return false;
+    constexpr double rounding = 1e-13;
+    const double margin = rounding * (far + nearest + outer);
+    if (line.across * least * least + nearest - outer > margin) return false;
+    if (far + nearest - line.dd * inner_ < -margin) return false;
     // Flatter lines meet it at a t that the height does not tell well.
-    constexpr double steep = 1e-6;
-    if (dd < steep * line.across) return true;
-    const double a = (lo.y - line.o.y) * line.t_per_height;
-    const double b = (hi.y - line.o.y) * line.t_per_height;
+    if (!line.steep) return true;
+    const double t = (middle_ - line.o.y) * line.t_per_height;
+    const double reach = half_ * std::abs(line.t_per_height);
     constexpr double t_rounding = 1e-12;
-    const double pad = t_rounding * (std::abs(a) + std::abs(b));
-    return std::max(a, b) + pad >= t_min && std::min(a, b) - pad <= t_max;
+    const double pad = reach + t_rounding * (std::abs(t) + reach);
+    return t + pad >= t_min && t - pad <= t_max;
 }
 
 TurnedPieces::Contact TurnedPieces::nearest_on(uint32_t index, const Vec2& p) const {
@@ -229,7 +239,7 @@ TurnedPieces::Contact TurnedPieces::nearest(const Vec2& p, double within) const 
 int TurnedPieces::cross(const TurnedLine& line, uint32_t index, double own, std::array<Hit, 12>& hits) const {
     if (line.level) return cross_level(line, index, own, hits);
     const TurnedPiece& piece = pieces_[index];
-    const double dd = line.d.y * line.d.y;
+    const double dd = line.dd;
     std::array<double, 4> y = piece.y;
     y[3] -= line.y_near;
     std::array<double, 7> c{};

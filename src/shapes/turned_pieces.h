@@ -36,13 +36,15 @@ struct TurnedLine {
     double y_near = 0;
     double nearest = 0;
     double t_per_height = 0;
+    double dd = 0;       ///< square of d.y
     bool level = false;  ///< so nearly level that the height says little about t
+    bool steep = false;  ///< the height tells t well
 
     void look_from_axis();  ///< sets the rest from o and d
     /// Negative where the line at height y is nearer to the axis than the squared radius `s`.
     double side(double y, double s) const {
         const double up = y - y_near;
-        return across * up * up + d.y * d.y * (nearest - s);
+        return across * up * up + dd * (nearest - s);
     }
     double side(const Vec2& p) const { return side(p.y, p.x * p.x); }
     /// Where it meets the circle of a piece's point, if it does.
@@ -78,17 +80,24 @@ public:
     }
 
 private:
-    struct Box {
-        Vec2 lo;  ///< radius and height
-        Vec2 hi;
-        void include(const Box& other) {
-            lo = glm::min(lo, other.lo);
-            hi = glm::max(hi, other.hi);
-        }
+    class Box {
+    public:
+        Box() = default;
+        /// From radius and height to radius and height.
+        Box(const Vec2& lo, const Vec2& hi);
+        void include(const Box& other) { *this = {glm::min(lo_, other.lo_), glm::max(hi_, other.hi_)}; }
         bool may_meet(const TurnedLine& line, double t_min, double t_max) const;
         double distance(const Vec2& p) const {
-            return glm::length(glm::max(glm::max(lo - p, p - hi), Vec2{0.0}));
+            return glm::length(glm::max(glm::max(lo_ - p, p - hi_), Vec2{0.0}));
         }
+
+    private:
+        Vec2 lo_{0.0};
+        Vec2 hi_{0.0};
+        double middle_ = 0;  ///< height
+        double half_ = 0;    ///< height, or a little more
+        double inner_ = 0;   ///< squared radii
+        double outer_ = 0;
     };
     static constexpr size_t sample_count = 17;
 

@@ -13,8 +13,6 @@
 namespace rb {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// The value of a `function { ... }`.
 FunctionPtr function_of(const std::string& text) {
     const LoadOptions options;
