@@ -81,4 +81,5 @@ def main():
     antialiasing(os.path.abspath(options.renderboy))
 
 
-main()
+if __name__ == "__main__":
+    main()

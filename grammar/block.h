@@ -50,7 +50,11 @@ struct stray : is_not<Tok::rbrace, Tok::rbracket> {};
 /// items = { item [","] }
 struct item : sor<packed_run, color_item, srgb_gamma, block, value_item, function_item, function_image, tuple,
                   plain_word, entry, stray> {};
-struct further_items : star<item, opt_comma, plain_items> {};
+/// Behind `radius` a value may be left out: `radius , 2`. Its comma is an item then.
+struct radius_word : word_is<Keyword::radius> {};
+struct lone_comma : is<Tok::comma> {};
+struct sparse_item : sor<radius_word, lone_comma> {};
+struct further_items : star<sor<sparse_item, seq<item, opt_comma>>, plain_items> {};
 struct items : seq<plain_items, further_items> {};
 
 }  // namespace rb::grammar

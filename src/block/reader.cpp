@@ -30,6 +30,12 @@ bool BlockReader::take_word(std::string_view word) {
     return true;
 }
 
+bool BlockReader::take_comma() {
+    if (!at(Item::Kind::bad) || item().text != ",") return false;
+    skip_item();
+    return true;
+}
+
 std::string_view BlockReader::word() {
     if (!at_word()) fail(fmt::format("Expected a keyword, {} found instead", found()));
     const std::string_view text = item().text;

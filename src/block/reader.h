@@ -41,6 +41,8 @@ public:
 
     /// Takes the word if it is next.
     bool take_word(std::string_view word);
+    /// Takes the comma behind a value that was left out, where that is allowed (`radius , 2`).
+    bool take_comma();
     std::string_view word();
 
     /// Numbers: floats spread to vectors, short vectors are filled with 0, long ones are an error.

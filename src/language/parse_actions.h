@@ -223,7 +223,11 @@ struct action<grammar::function_item> : on_match<&ParseState::add_function> {};
 template <>
 struct action<grammar::plain_word> : on_first<&ParseState::add_word> {};
 template <>
+struct action<grammar::radius_word> : on_first<&ParseState::add_word> {};
+template <>
 struct action<grammar::stray> : on_first<&ParseState::add_stray> {};
+template <>
+struct action<grammar::lone_comma> : on_first<&ParseState::add_stray> {};
 
 // Right sides.
 template <>

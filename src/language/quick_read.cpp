@@ -150,6 +150,7 @@ bool TokenStream::quick_word(Produced& out) {
         case Keyword::assumed_gamma:
         case Keyword::pwr:
         case Keyword::xyz:
+        case Keyword::radius:
             return false;
         default:
             break;

@@ -40,12 +40,17 @@ double take_threshold(BlockReader& in, std::string_view which) {
     return 0;
 }
 
+/// Each of the four may be left out, before its comma or at the end.
 void take_radius(BlockReader& in, PhotonSettings& photons) {
-    for (double* value : {&photons.surface_radius.radius, &photons.surface_radius.multiplier,
-                          &photons.media_radius.radius, &photons.media_radius.multiplier}) {
-        if (!in.at_number()) return;
-        *value = in.number();
+    for (double* value :
+         {&photons.surface_radius.radius, &photons.surface_radius.multiplier, &photons.media_radius.radius}) {
+        if (in.at_number()) {
+            *value = in.number();
+        } else if (!in.take_comma()) {
+            return;
+        }
     }
+    if (in.at_number()) photons.media_radius.multiplier = in.number();
 }
 
 bool take_setting(BlockReader& in, PhotonSettings& photons) {

@@ -3,6 +3,7 @@
 #include "patterns/feature_points.h"
 #include "patterns/quad.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace rb {
@@ -80,18 +81,24 @@ private:
         Vec3 point;
     };
 
+    /// `d`: the lengths along the axes.
     double sum_of(const Vec3& d) const {
         if (shape.metric == 2.0) return glm::dot(d, d);
-        if (shape.metric == 1.0) return std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
-        return std::pow(std::abs(d.x), shape.metric) + std::pow(std::abs(d.y), shape.metric) +
-               std::pow(std::abs(d.z), shape.metric);
+        if (shape.metric == 1.0) return d.x + d.y + d.z;
+        return std::pow(d.x, shape.metric) + std::pow(d.y, shape.metric) + std::pow(d.z, shape.metric);
     }
 
     Nearest nearest_to(const Vec3& p, const std::array<Vec3, 81>& features) const {
         constexpr double far = std::numeric_limits<double>::max();
         Nearest n{{far, far, far}, p};
+        // Of positive metrics no distance is shorter than its longest component; very small ones magnify
+        // rounding errors.
+        constexpr double least_bounded = 0.01;
+        double reach = std::numeric_limits<double>::infinity();
         for (const Vec3& feature : features) {
-            const double sum = sum_of(feature - p);
+            const Vec3 d = glm::abs(feature - p);
+            if (std::max({d.x, d.y, d.z}) > reach) continue;
+            const double sum = sum_of(d);
             if (sum >= n.sum[2]) continue;
             if (sum < n.sum[0]) {
                 n = {{sum, n.sum[0], n.sum[1]}, feature};
@@ -101,6 +108,8 @@ private:
             } else {
                 n.sum[2] = sum;
             }
+            constexpr double rounding = 1.0 + 1e-12;
+            if (shape.metric > least_bounded) reach = rounding * std::pow(n.sum[2], 1.0 / shape.metric);
         }
         return n;
     }

@@ -343,6 +343,7 @@ Rgb ShadowTracer::over_pattern(size_t index, const HitPoint& hit, const AreaSamp
     Rgb most = -least;
     // Full light is exactly full light.
     const auto mean = [&](uint32_t n) { return least == most ? least : sum / static_cast<float>(n); };
+    bool may_stop = true;
     for (uint32_t begin = 0; begin < count; begin += at_once) {
         const uint32_t n = std::min(at_once, count - begin);
         for (uint32_t k = 0; k < n; ++k) offsets[k] = sampler.pattern_place(begin + k);
@@ -358,9 +359,28 @@ Rgb ShadowTracer::over_pattern(size_t index, const HitPoint& hit, const AreaSamp
         const uint32_t taken = begin + n;
         if (begin == 0 && is_black(most) && is_in_umbra(light, hit, sampler, blockers.first(n), candidates))
             return Rgb(0.0f);
-        if (taken >= light.pilot_count() && difference(least, most) <= agreement) return mean(taken);
+        if (!may_stop || taken < light.pilot_count() || taken == count) continue;
+        may_stop = difference(least, most) <= agreement &&
+                   corners_agree(index, hit, sampler, color, candidates, least, most);
+        if (may_stop) return mean(taken);
     }
     return mean(count);
+}
+
+/// True if the light of the corners, too, is between `least` and `most`, or nearly: the edge of a shadow
+/// shows there first, while it is on few of the places between them.
+bool ShadowTracer::corners_agree(size_t index, const HitPoint& hit, const AreaSampler& sampler,
+                                 const Rgb& color, const Candidates* candidates, const Rgb& least,
+                                 const Rgb& most) {
+    const LightProgram& light = program_.lights[index];
+    RayQuery query = StreamState::query_from(hit, Vec3{0.0}, 0.0, program_.shadow_mask);
+    uint32_t blocker = state_.blockers[program_.first_sample[index]];
+    return std::ranges::all_of(sampler.hull(), [&](const Vec3& corner) {
+        const LightVector way = light.toward(hit.point, corner);
+        query.ray.direction = way.direction;
+        const Rgb arrived = along(light, hit, query, way.distance, color, candidates, blocker);
+        return difference(glm::min(least, arrived), glm::max(most, arrived)) <= agreement;
+    });
 }
 
 /// True if one convex body hides all of the light: it does so if it hides the corners of a parallelogram

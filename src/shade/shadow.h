@@ -63,6 +63,8 @@ private:
     Rgb surface_filter(const SurfaceProgram& surface, const Hit& hit, const Vec3& direction);
     Rgb over_pattern(size_t light, const HitPoint& hit, const AreaSampler& sampler, const Rgb& color,
                      const Candidates* candidates);
+    bool corners_agree(size_t light, const HitPoint& hit, const AreaSampler& sampler, const Rgb& color,
+                       const Candidates* candidates, const Rgb& least, const Rgb& most);
     bool is_in_umbra(const LightProgram& light, const HitPoint& hit, const AreaSampler& sampler,
                      std::span<const uint32_t> blockers, const Candidates* candidates);
     Rgb over_area(size_t light, const HitPoint& hit, const LightVector& to_center, const Rgb& color,

@@ -141,6 +141,20 @@ TEST(AreaPattern, HasTheMeanOfTheGridsDensity) {
     }
 }
 
+/// Where the first samples agree by chance only: at the edges of the penumbra.
+TEST(AreaPattern, AdaptiveLosesNoEdges) {
+    constexpr size_t count = 4000;
+    constexpr int size = 9;
+    const SceneMaker s = half_shaded([](AreaGrid& g) { g.size1 = g.size2 = size, g.adaptive = 0; });
+    std::vector<double> weights;
+    for (int i = 0; i < size; ++i) weights.push_back(AxisDensity(size).weight(i));
+    for (const double x : {-3.6, -3.2, 3.2, 3.6}) {
+        const Statistics seen = statistics(visibilities(s, x, count));
+        const double error = seen.deviation / std::sqrt(count) + 1e-6;
+        EXPECT_LT(std::abs(seen.mean - share_beyond(-x, weights)), 4 * error) << x;
+    }
+}
+
 TEST(AreaPattern, IsSteadierThanChance) {
     const SceneMaker s = half_shaded([](AreaGrid& g) { g.size1 = g.size2 = 4; });
     const Statistics seen = statistics(visibilities(s, 1.0, 4000));

@@ -2,7 +2,7 @@
 #version 3.7;
 global_settings {
   photons {
-    spacing 0.02 count 5000 gather 10, 50 radius 0.1, 2, 0.3 jitter 0.3 autostop 0.4
+    spacing 0.02 count 5000 gather 10, 50 radius , 2, , 0.3 jitter 0.3 autostop 0.4
     expand_thresholds 0.3, 20 media 30, 2 max_trace_level 7 adc_bailout 0.01
   }
 }
