@@ -164,8 +164,8 @@ private:
                "as even areas (default: the grid, or its density with jitter)")
             ->transform(CLI::CheckedTransformer(areas));
         const std::map<std::string, GiMode> lights{
-            {"auto", GiMode::automatic}, {"off", GiMode::off}, {"brute", GiMode::brute}};
-        app.add_option("--gi", settings.gi, "auto, off or brute: how radiosity{} is carried out")
+            {"auto", GiMode::automatic}, {"off", GiMode::off}, {"brute", GiMode::brute}, {"points", GiMode::points}};
+        app.add_option("--gi", settings.gi, "auto, points, brute or off: how radiosity{} is carried out")
             ->transform(CLI::CheckedTransformer(lights));
         const std::map<std::string, DumpStage> stages{
             {"tokens", DumpStage::tokens}, {"blocks", DumpStage::blocks}, {"scene", DumpStage::scene}};

@@ -28,12 +28,17 @@ std::vector<uint32_t> spread_order(size_t count) {
 
 }  // namespace
 
-CachedLight::CachedLight(const RayGather& rays, const Vec3& eye) : rays_(rays), eye_(eye) {
+CachedLight::CachedLight(const RayGather& rays, const Vec3& eye, bool with_surfels) : rays_(rays), eye_(eye) {
     const RadiositySettings& settings = rays.settings();
     const double written = settings.error_bound * settings.low_error_factor;
     const double bound = std::min(loosest_bound, bound_share * written);
     for (int depth = 0; depth < settings.recursion_limit; ++depth)
         caches_.emplace_back(looseness(depth) * bound);
+    if (with_surfels) surfels_.resize(caches_.size());
+}
+
+const SurfelGrid* CachedLight::surfels_at(int depth) const {
+    return surfels_.empty() ? nullptr : &surfels_[static_cast<size_t>(depth)];
 }
 
 const IndirectLight* CachedLight::next(int depth) const {
@@ -51,7 +56,7 @@ void CachedLight::gather(std::span<const IndirectPlace> places, int depth, std::
         }
         Gathered fresh;
         const HemisphereGrid& grid = depth == 0 ? rays_.grid_at(0) : rays_.coarse_grid();
-        rays_.gather(places.subspan(i, 1), {depth, &grid, next(depth)}, {&fresh, 1});
+        rays_.gather(places.subspan(i, 1), {depth, &grid, next(depth), false, surfels_at(depth)}, {&fresh, 1});
         gaps_[depth == 0 ? 0 : 1].fetch_add(1, std::memory_order_relaxed);
         mean[i] = fresh.mean;
     }
@@ -81,16 +86,21 @@ void CachedLight::learn(std::span<const IndirectPlace> places, int depth, int th
 }
 
 std::vector<IrradianceRecord> CachedLight::gathered(std::span<const IndirectPlace> places, int depth,
-                                                    int threads, const std::atomic<bool>& stop) const {
+                                                    int threads, const std::atomic<bool>& stop) {
     constexpr size_t chunk = 8;
-    const GatherTask task{depth, &rays_.grid_at(depth), next(depth), true};
     std::vector<IrradianceRecord> records(places.size());
-    parallel_for((places.size() + chunk - 1) / chunk, threads, stop, [&](size_t c) {
+    std::vector<std::vector<Surfel>> fresh((places.size() + chunk - 1) / chunk);
+    parallel_for(fresh.size(), threads, stop, [&](size_t c) {
         const auto some = places.subspan(c * chunk, std::min(chunk, places.size() - c * chunk));
+        GatherTask task{depth, &rays_.grid_at(depth), next(depth), true, surfels_at(depth)};
+        if (task.known) task.fresh = &fresh[c];
         std::array<Gathered, chunk> found;
         rays_.gather(some, task, std::span(found).first(some.size()));
         for (size_t i = 0; i < some.size(); ++i) records[c * chunk + i] = record_of(some[i], depth, found[i]);
     });
+    for (const auto& some : fresh) {
+        for (const Surfel& surfel : some) surfels_[static_cast<size_t>(depth)].insert(surfel);
+    }
     return records;
 }
 

@@ -22,7 +22,7 @@ void BruteLight::gather(std::span<const IndirectPlace> places, int depth, std::s
 Radiosity::Radiosity(const World& world, const ShadingOptions& options, GiMode mode,
                      std::shared_ptr<const PhotonLight> photons)
     : rays_(world, options, std::move(photons)), brute_(rays_) {
-    if (mode != GiMode::brute) cached_ = std::make_unique<CachedLight>(rays_, world.camera.location);
+    if (mode != GiMode::brute) cached_ = std::make_unique<CachedLight>(rays_, world.camera.location, mode == GiMode::points);
 }
 
 const IndirectLight& Radiosity::light() const {
@@ -37,6 +37,13 @@ RadiosityReport Radiosity::report() const {
             report.records.push_back(cached_->record_count(depth));
         }
         report.gaps = cached_->gap_counts();
+    }
+    if (cached_) {
+        for (const SurfelGrid& grid : cached_->surfels()) {
+            report.surfels.push_back(grid.surfel_count());
+            report.cells.push_back(grid.cell_count());
+            report.surfel_bytes += grid.byte_count();
+        }
     }
     report.gathers = rays_.gather_count();
     report.rays = rays_.ray_count();

@@ -10,6 +10,7 @@ namespace rb {
 enum class GiMode {
     automatic,
     off,    ///< not at all: as without radiosity{}
+    points,  ///< what gathers meet is shaded once for all that see it about as large
     brute,  ///< rays over the hemisphere of every place, at every bounce
 };
 
@@ -30,6 +31,9 @@ using PictureSurvey = std::function<std::vector<IndirectPlace>(int step, const C
 /// What finding the indirect light took.
 struct RadiosityReport {
     std::vector<size_t> records;  ///< by bounce; none under GiMode::brute
+    std::vector<size_t> surfels;  ///< by bounce; none but under GiMode::points
+    std::vector<size_t> cells;    ///< that hold them, likewise
+    size_t surfel_bytes = 0;
     uint64_t gathers = 0;
     std::array<uint64_t, 2> gaps{};  ///< places without a record: seen by the eye, and by gathers
     uint64_t rays = 0;               ///< that gathered, but for what they sent on

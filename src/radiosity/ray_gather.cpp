@@ -150,7 +150,7 @@ void RayGather::gather(std::span<const IndirectPlace> places, const GatherTask& 
         Scratch::Scope memory(thread_scratch());
         const auto some = places.subspan(begin, std::min(together, places.size() - begin));
         Batch batch(some, grid, memory);
-        trace(batch, task.depth + 1, task.next);
+        trace(batch, task);
         for (size_t i = 0; i < some.size(); ++i) {
             const auto light = batch.light.subspan(i * grid.size(), grid.size());
             out[begin + i] = summed({batch.hemispheres[i], light}, task.gradients);
@@ -158,13 +158,18 @@ void RayGather::gather(std::span<const IndirectPlace> places, const GatherTask& 
     }
 }
 
-void RayGather::trace(Batch& batch, int depth, const IndirectLight* next) const {
+void RayGather::trace(Batch& batch, const GatherTask& task) const {
+    const int depth = task.depth + 1;
     StreamState& state = state_at(depth);
-    state.indirect = next;
-    state.wants_light = !next || next->wants_light();
+    state.indirect = task.next;
+    state.wants_light = !task.next || task.next->wants_light();
+    static const double scale = getenv("P_SCALE") ? atof(getenv("P_SCALE")) : 1.0;
+    const double spread = scale * std::sqrt(pi / static_cast<double>(task.grid->size()));
+    const SurfelUse surfels{task.known, spread, task.fresh};
     Scratch::Scope memory(thread_scratch());
     const auto found = memory.take<GatheredLight>(batch.ray_count);
-    RayStream(program_, state).gather(batch.rays.first(batch.ray_count), depth, found);
+    RayStream(program_, state).gather(batch.rays.first(batch.ray_count), depth,
+                                       task.known ? &surfels : nullptr, found);
     for (size_t i = 0; i < batch.ray_count; ++i) {
         batch.light[batch.cell_of_ray[i]] = {limited(found[i].rgb), found[i].distance};
     }

@@ -24,6 +24,8 @@ struct GatherTask {
     const HemisphereGrid* grid = nullptr;
     const IndirectLight* next = nullptr;  ///< asked by what the rays meet; null at the last bounce
     bool gradients = false;
+    const SurfelLight* known = nullptr;    ///< what the rays need not shade; may be null
+    std::vector<Surfel>* fresh = nullptr;  ///< takes what they shaded; may be null
 };
 
 /// Gathers light at places by rays over the hemisphere.
@@ -51,7 +53,7 @@ public:
 private:
     struct Batch;
     struct Cells;
-    void trace(Batch& batch, int depth, const IndirectLight* next) const;
+    void trace(Batch& batch, const GatherTask& task) const;
     Gathered summed(const Cells& cells, bool gradients) const;
     Rgb limited(const Rgb& light) const;
     Rgb toned(const Rgb& mean) const;
