@@ -56,6 +56,9 @@ namespace {
 
 nlohmann::ordered_json to_json(const RadiosityReport& report) {
     return {{"records", report.records},
+            {"surfels", report.surfels},
+            {"cells", report.cells},
+            {"surfel_bytes", report.surfel_bytes},
             {"gathers", report.gathers},
             {"gaps", report.gaps},
             {"rays", report.rays},

@@ -34,7 +34,8 @@ CachedLight::CachedLight(const RayGather& rays, const Vec3& eye, bool with_surfe
     const double bound = std::min(loosest_bound, bound_share * written);
     for (int depth = 0; depth < settings.recursion_limit; ++depth)
         caches_.emplace_back(looseness(depth) * bound);
-    if (with_surfels) surfels_.resize(caches_.size());
+    const double least = getenv("P_LEAST") ? atof(getenv("P_LEAST")) : 1.0;
+    if (with_surfels) surfels_.resize(caches_.size(), SurfelGrid(eye, least * settings.minimum_reuse));
 }
 
 const SurfelGrid* CachedLight::surfels_at(int depth) const {

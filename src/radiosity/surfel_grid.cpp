@@ -37,6 +37,10 @@ SurfelGrid::Key SurfelGrid::key_of(const Surfel& surfel, int exponent) {
     return mixed(z, static_cast<uint64_t>(static_cast<int64_t>(scaled.z))) | 1;
 }
 
+int SurfelGrid::exponent_of(const Surfel& surfel) const {
+    return std::ilogb(std::max(surfel.size, least_ * glm::length(surfel.point - eye_)));
+}
+
 /// Where the cell is, or would be.
 size_t SurfelGrid::slot_of(Key key) const {
     const size_t mask = cells_.size() - 1;
@@ -47,7 +51,7 @@ size_t SurfelGrid::slot_of(Key key) const {
 
 bool SurfelGrid::find(const Surfel& surfel, Rgb& light) const {
     if (cells_.empty()) return false;
-    const Cell& cell = cells_[slot_of(key_of(surfel, std::ilogb(surfel.size)))];
+    const Cell& cell = cells_[slot_of(key_of(surfel, exponent_of(surfel)))];
     if (cell.key == 0 || cell.count < full) return false;
     light = cell.sum / static_cast<float>(cell.count);
     return true;
@@ -55,7 +59,7 @@ bool SurfelGrid::find(const Surfel& surfel, Rgb& light) const {
 
 void SurfelGrid::insert(const Surfel& surfel) {
     ++surfels_;
-    const int finest = std::ilogb(surfel.size);
+    const int finest = exponent_of(surfel);
     for (int exponent = finest; exponent < finest + levels; ++exponent) {
         if (2 * (count_ + 1) > cells_.size()) grow();
         const Key key = key_of(surfel, exponent);

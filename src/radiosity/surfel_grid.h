@@ -9,6 +9,9 @@ namespace rb {
 /// holds the mean of some surfels in it. Lookups may run at once, but not together with insert().
 class SurfelGrid final : public SurfelLight {
 public:
+    /// `least`: size of the smallest cells, per distance from the eye.
+    SurfelGrid(const Vec3& eye, double least) : eye_(eye), least_(least) {}
+
     bool find(const Surfel& surfel, Rgb& light) const override;
 
     /// Into the cell of its size and some larger ones, where they are not full yet.
@@ -26,10 +29,13 @@ private:
         Rgb sum{0.0f};
         uint32_t count = 0;
     };
+    int exponent_of(const Surfel& surfel) const;
     static Key key_of(const Surfel& surfel, int exponent);
     size_t slot_of(Key key) const;
     void grow();
 
+    Vec3 eye_;
+    double least_;
     std::vector<Cell> cells_;  ///< open addressing; as many as a power of two, at most half of them in use
     size_t count_ = 0;
     size_t surfels_ = 0;
