@@ -56,13 +56,11 @@ private:
         }
         Cube eighth(size_t octant) const {
             const double step = 0.5 * half;
-            return {center + Vec3{octant & 1 ? step : -step, octant & 2 ? step : -step,
-                                  octant & 4 ? step : -step},
+            return {center +
+                        Vec3{octant & 1 ? step : -step, octant & 2 ? step : -step, octant & 4 ? step : -step},
                     step};
         }
-        bool contains(const Vec3& point) const {
-            return max_component(glm::abs(point - center)) <= half;
-        }
+        bool contains(const Vec3& point) const { return max_component(glm::abs(point - center)) <= half; }
     };
     void grow_towards(const Vec3& point);
     void put(uint32_t node, const Cube& cube, const Entry& entry, double reach);

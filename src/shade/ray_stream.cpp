@@ -51,8 +51,7 @@ void RayStream::gather(std::span<const GatherRay> rays, int depth, const SurfelU
 /// The light of what a ray meets is known, and added; or it will be.
 bool RayStream::is_known(uint32_t ray_index, const Hit& hit, uint32_t look, const Vec3& normal) {
     if (!program_.textures[program_.looks[look].texture].is_matt) return false;
-    const Surfel surfel{hit.point,           normal, hit.leaf,
-                        hit.crossing.member, look,   surfels_->spread * hit.t};
+    const Surfel surfel{hit.point, normal, hit.leaf, hit.crossing.member, look, surfels_->spread * hit.t};
     if (surfels_->known->find(surfel, state_.slots[state_.rays[ray_index].slot].rgb)) return true;
     if (surfels_->fresh) {
         surfels_->fresh->push_back(surfel);

@@ -27,9 +27,9 @@ public:
 
 /// How rays that gather make use of surfels.
 struct SurfelUse {
-    const SurfelLight* known = nullptr;   ///< never null
-    double spread = 0;                    ///< size of surfels per length of the rays
-    std::vector<Surfel>* fresh = nullptr; ///< takes those that had to be shaded; may be null
+    const SurfelLight* known = nullptr;    ///< never null
+    double spread = 0;                     ///< size of surfels per length of the rays
+    std::vector<Surfel>* fresh = nullptr;  ///< takes those that had to be shaded; may be null
 };
 
 }  // namespace rb
