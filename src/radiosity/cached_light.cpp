@@ -48,7 +48,9 @@ void CachedLight::gather(std::span<const IndirectPlace> places, int depth, std::
             continue;
         }
         Gathered fresh;
-        const HemisphereGrid& grid = depth == 0 ? rays_.grid_at(0) : rays_.coarse_grid();
+        // One pixel's noise shows less than a record's: the directions of the next bounce are enough.
+        const int next_depth = std::min(1, rays_.settings().recursion_limit - 1);
+        const HemisphereGrid& grid = depth == 0 ? rays_.grid_at(next_depth) : rays_.coarse_grid();
         rays_.gather(places.subspan(i, 1), {depth, &grid, next(depth), false, surfels_at(depth)},
                      {&fresh, 1});
         gaps_[depth == 0 ? 0 : 1].fetch_add(1, std::memory_order_relaxed);
