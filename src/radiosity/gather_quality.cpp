@@ -13,8 +13,6 @@ constexpr int most_rays = 1 << 16;
 /// The language's bounds are for records without gradients. Looser ones would save little.
 constexpr double bound_share = 0.75;
 constexpr double loosest_bound = 0.27;
-/// With `error` in their place looseness is what was asked for.
-constexpr double loosest_chosen_bound = 0.4;
 
 /// Few rays are too few: their noise costs more time than they save, since noisy records reach less far.
 double rays_for(int count) {
@@ -33,7 +31,7 @@ GatherQuality::GatherQuality(const RadiositySettings& settings, double error)
         constexpr double usual = 0.005;
         constexpr double finest_radius = 0.004;
         count = std::clamp(256.0 * std::pow(usual / error, 1.5), 64.0, double{most_rays});
-        bound = std::min(loosest_chosen_bound, 0.13 * std::pow(error / usual, 2.0 / 3.0));
+        bound = std::min(loosest_bound, 0.13 * std::pow(error / usual, 2.0 / 3.0));
         minimum_radius = std::min(minimum_radius, finest_radius);
     }
     // Later bounces show less of their errors.

@@ -130,8 +130,7 @@ TEST_P(ClosedForm, NoLightComesUnderWalls) {
         "  pigment { rgb 0.9 } }\n"
         "light_source { <-0.5, 0.7, 0>, rgb 1 }\n";
     const auto from = [&](const std::string& place) {
-        return mean(
-            film_of("count 12 recursion_limit 2", "camera { " + place + " angle 90 }\n" + room));
+        return mean(film_of("count 12 recursion_limit 2", "camera { " + place + " angle 90 }\n" + room));
     };
     EXPECT_GT(from("location <-0.95, 0.5, 0> look_at <0, 0.3, 0>"), 0.5);
     EXPECT_LT(from("location <0.95, 0.5, 0> look_at <0, 0.3, 0>"), 0.001);
