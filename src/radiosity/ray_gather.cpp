@@ -157,11 +157,14 @@ void RayGather::trace(Batch& batch, const GatherTask& task) const {
     state.indirect = task.next;
     state.wants_light = !task.next || task.next->wants_light();
     const double spread = std::sqrt(pi / static_cast<double>(task.grid->size()));
+    // What is in the air differs from ray to ray.
+    const bool clear_air = !program_.has_air() && !program_.media.fills_interiors();
     const SurfelUse surfels{task.known, spread, task.fresh};
     Scratch::Scope memory(thread_scratch());
     const auto found = memory.take<GatheredLight>(batch.ray_count);
     RayStream(program_, state)
-        .gather(batch.rays.first(batch.ray_count), depth, task.known ? &surfels : nullptr, found);
+        .gather(batch.rays.first(batch.ray_count), depth, task.known && clear_air ? &surfels : nullptr,
+                found);
     for (size_t i = 0; i < batch.ray_count; ++i) {
         batch.light[batch.cell_of_ray[i]] = {limited(found[i].rgb), found[i].distance};
     }
