@@ -173,6 +173,7 @@ public:
             settings.antialias_options.method = method_by_error;
             settings.antialias_options.error = share_of(*error_);
         }
+        if (gi_error_) settings.gi_error = share_of(*gi_error_);
         if (!output_) return;
         set_option(settings, "Output_File_Name", *output_);
         if (const auto type = file_type_for(*output_)) settings.file_type = *type;
@@ -222,10 +223,18 @@ private:
                "grid, smooth or true: area lights as POV-Ray's grid of points, as the grid's density, or "
                "as even areas (default: the grid, or its density with jitter)")
             ->transform(CLI::CheckedTransformer(areas));
-        const std::map<std::string, GiMode> lights{
-            {"auto", GiMode::automatic}, {"off", GiMode::off}, {"brute", GiMode::brute}};
-        app.add_option("--gi", settings.gi, "auto, off or brute: how radiosity{} is carried out")
+        const std::map<std::string, GiMode> lights{{"auto", GiMode::automatic},
+                                                   {"off", GiMode::off},
+                                                   {"brute", GiMode::brute},
+                                                   {"points", GiMode::points},
+                                                   {"cache", GiMode::cache}};
+        app.add_option("--gi", settings.gi,
+                       "auto, points, cache, brute or off: how radiosity{} is carried out")
             ->transform(CLI::CheckedTransformer(lights));
+        app.add_option(
+            "--gi-error", gi_error_,
+            "RMSE that indirect light is to have, such as 0.5%, whatever radiosity{} says of count and "
+            "error_bound");
         const std::map<std::string, DumpStage> stages{
             {"tokens", DumpStage::tokens}, {"blocks", DumpStage::blocks}, {"scene", DumpStage::scene}};
         app.add_option("--dump", settings.dump, "print tokens, blocks or scene instead of rendering")
@@ -236,7 +245,7 @@ private:
         app.add_flag("--brute-force", settings.brute_force, "no kD-trees; same picture, slowly");
     }
 
-    std::optional<std::string> output_, size_, quality_, threads_, error_;
+    std::optional<std::string> output_, size_, quality_, threads_, error_, gi_error_;
     bool version_ = false;
     bool no_skip_ = false;
 };

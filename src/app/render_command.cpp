@@ -61,6 +61,7 @@ RenderOptions render_options(const Settings& settings) {
     options.shading.alpha_output = settings.alpha;
     options.shading.area_lights = settings.area_lights;
     options.gi = settings.gi;
+    options.gi_error = settings.gi_error;
     return options;
 }
 
@@ -136,9 +137,10 @@ std::string identity_words(const Settings& settings, const AnimationFrame& frame
                                                        "display"};
         if (std::ranges::find(free, name) == free.end()) words += fmt::format("\n{}={}", name, value);
     }
-    words += fmt::format("\nseed {} area lights {} error {} of {} gi {}", settings.seed,
-                         static_cast<int>(settings.area_lights), settings.antialias_options.error,
-                         settings.antialias_options.max_samples, static_cast<int>(settings.gi));
+    words +=
+        fmt::format("\nseed {} area lights {} error {} of {} gi {} {}", settings.seed,
+                    static_cast<int>(settings.area_lights), settings.antialias_options.error,
+                    settings.antialias_options.max_samples, static_cast<int>(settings.gi), settings.gi_error);
     return words;
 }
 

@@ -95,6 +95,7 @@ struct Settings {
     uint64_t seed = 0;
     AreaLightMode area_lights = AreaLightMode::as_written;
     GiMode gi = GiMode::automatic;
+    double gi_error = 0;  ///< in shares of white; 0: as radiosity{} says
     bool skip_unneeded = true;
     bool brute_force = false;
     InstanceMode instances = InstanceMode::automatic;

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 #include <sys/resource.h>
 
 #include <fmt/format.h>
@@ -31,6 +32,20 @@ std::string photon_text(const PhotonCounters& photons) {
                        photons.on_surfaces, photons.in_media);
 }
 
+/// Nothing in scenes without radiosity.
+std::string radiosity_text(const std::optional<RadiosityReport>& report) {
+    if (!report) return {};
+    const auto sum = [](const std::vector<size_t>& parts) {
+        return std::accumulate(parts.begin(), parts.end(), size_t{0});
+    };
+    return fmt::format(
+        "Gathers:      {:>12}  by {} rays, {} shadow rays\nInterpolations:{:>11}  from {} records; error "
+        "where "
+        "not trusted {:.4f}\nSurfels:      {:>12}  in {} cells, {} bytes\n",
+        report->gathers, report->rays, report->shadow_rays, report->interpolations, sum(report->records),
+        report->error_estimate, sum(report->surfels), sum(report->cells), report->surfel_bytes);
+}
+
 }  // namespace
 
 double cpu_seconds() {
@@ -44,18 +59,23 @@ std::string statistics_text(const Statistics& statistics, const World& world, co
     const RayCounters& rays = result.counters;
     return fmt::format(
         "Surfaces:     {:>12}\nLight Sources:{:>12}\nCamera Rays:  {:>12}\nReflected:    {:>12}\n"
-        "Refracted:    {:>12}\nShadow Rays:  {:>12}\n{}Parse Time:   {:.3f} seconds\nBounding Time:{:.3f} "
+        "Refracted:    {:>12}\nShadow Rays:  {:>12}\n{}{}Parse Time:   {:.3f} seconds\nBounding Time:{:.3f} "
         "seconds\n"
         "Trace Time:   {:.3f} seconds\n",
         world.geometry->leaves().size(), world.lights.size(), rays.camera, rays.reflected, rays.refracted,
-        rays.shadow, photon_text(result.photons), statistics.parse_seconds, statistics.compile_seconds,
-        statistics.render_seconds);
+        rays.shadow, photon_text(result.photons), radiosity_text(result.radiosity), statistics.parse_seconds,
+        statistics.compile_seconds, statistics.render_seconds);
 }
 
 namespace {
 
 nlohmann::ordered_json to_json(const RadiosityReport& report) {
     return {{"records", report.records},
+            {"surfels", report.surfels},
+            {"cells", report.cells},
+            {"surfel_bytes", report.surfel_bytes},
+            {"interpolations", report.interpolations},
+            {"error_estimate", report.error_estimate},
             {"gathers", report.gathers},
             {"gaps", report.gaps},
             {"rays", report.rays},

@@ -150,6 +150,9 @@ void tessellate_leaves(FlatGeometry& flat, const Camera& camera, const CompileOp
         const double tolerance = options.tessellation_error_pixels * pixel * distance * to_object;
         auto mesh = leaf.shape->tessellate(tolerance);
         if (!mesh || mesh->faces.empty()) continue;
+        // Facets reach out of the surface's box.
+        const Vec3 error{mesh->error / to_object + float_rounding(box)};
+        flat.boxes[i] = {flat.boxes[i].lo - error, flat.boxes[i].hi + error};
         leaf.shape = std::make_shared<TessellatedShape>(leaf.shape, std::move(*mesh), hits);
     }
 }

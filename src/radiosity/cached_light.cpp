@@ -11,13 +11,6 @@ namespace rb {
 
 namespace {
 
-/// The language's bounds are for records without gradients. Looser ones would save little.
-constexpr double bound_share = 0.5;
-constexpr double loosest_bound = 0.27;
-
-/// Later bounces show less of their errors.
-double looseness(int depth) { return std::ldexp(1.0, depth); }
-
 /// A fixed order of `count` things in which every part is spread over the whole.
 std::vector<uint32_t> spread_order(size_t count) {
     std::vector<uint32_t> order(count);
@@ -28,12 +21,15 @@ std::vector<uint32_t> spread_order(size_t count) {
 
 }  // namespace
 
-CachedLight::CachedLight(const RayGather& rays, const Vec3& eye) : rays_(rays), eye_(eye) {
-    const RadiositySettings& settings = rays.settings();
-    const double written = settings.error_bound * settings.low_error_factor;
-    const double bound = std::min(loosest_bound, bound_share * written);
-    for (int depth = 0; depth < settings.recursion_limit; ++depth)
-        caches_.emplace_back(looseness(depth) * bound);
+CachedLight::CachedLight(const RayGather& rays, const Vec3& eye, bool with_surfels) : rays_(rays), eye_(eye) {
+    const GatherQuality& quality = rays.quality();
+    for (const double bound : quality.bounds) caches_.emplace_back(bound);
+    surfel_counts_.resize(caches_.size());
+    if (with_surfels) surfels_.resize(caches_.size(), SurfelGrid(eye, quality.minimum_radius));
+}
+
+const SurfelGrid* CachedLight::surfels_at(int depth) const {
+    return surfels_.empty() ? nullptr : &surfels_[static_cast<size_t>(depth)];
 }
 
 const IndirectLight* CachedLight::next(int depth) const {
@@ -43,18 +39,24 @@ const IndirectLight* CachedLight::next(int depth) const {
 void CachedLight::gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const {
     const IrradianceCache& cache = caches_[static_cast<size_t>(depth)];
     const bool fills_gaps = rays_.settings().always_sample && depth == 0;
+    uint64_t interpolated = 0;
     for (size_t i = 0; i < places.size(); ++i) {
         const auto found = cache.look_up(places[i].point, places[i].normal);
         if (fills_gaps ? is_enough(found.weight) : found.weight > 0.0) {
             mean[i] = found.mean;
+            ++interpolated;
             continue;
         }
         Gathered fresh;
-        const HemisphereGrid& grid = depth == 0 ? rays_.grid_at(0) : rays_.coarse_grid();
-        rays_.gather(places.subspan(i, 1), {depth, &grid, next(depth)}, {&fresh, 1});
+        // One pixel's noise shows less than a record's: the directions of the next bounce are enough.
+        const int next_depth = std::min(1, rays_.settings().recursion_limit - 1);
+        const HemisphereGrid& grid = depth == 0 ? rays_.grid_at(next_depth) : rays_.coarse_grid();
+        rays_.gather(places.subspan(i, 1), {depth, &grid, next(depth), false, surfels_at(depth)},
+                     {&fresh, 1});
         gaps_[depth == 0 ? 0 : 1].fetch_add(1, std::memory_order_relaxed);
         mean[i] = fresh.mean;
     }
+    interpolations_.fetch_add(interpolated, std::memory_order_relaxed);
 }
 
 bool CachedLight::is_enough(double weight) const { return 4.0 * weight >= rays_.settings().nearest_count; }
@@ -76,28 +78,51 @@ void CachedLight::learn(std::span<const IndirectPlace> places, int depth, int th
         for (; i < order.size() && unknown.size() < together; ++i) {
             if (!knows(places[order[i]], depth)) unknown.push_back(places[order[i]]);
         }
-        for (const IrradianceRecord& record : gathered(unknown, depth, threads, stop)) cache.insert(record);
+        const auto records = gathered(unknown, depth, threads, stop);
+        if (depth == 0) compare(records);
+        for (const IrradianceRecord& record : records) cache.insert(record);
     }
 }
 
+/// What would have been said of places without the records that they are going to have.
+void CachedLight::compare(std::span<const IrradianceRecord> records) {
+    for (const IrradianceRecord& record : records) {
+        const auto found = caches_.front().look_up(record.point, record.normal);
+        if (found.weight == 0.0) continue;
+        const double apart = static_cast<double>(grey(found.mean - record.mean));
+        error_squares_ += apart * apart;
+        ++compared_;
+    }
+}
+
+double CachedLight::error_estimate() const {
+    return compared_ == 0 ? 0.0 : std::sqrt(error_squares_ / static_cast<double>(compared_));
+}
+
 std::vector<IrradianceRecord> CachedLight::gathered(std::span<const IndirectPlace> places, int depth,
-                                                    int threads, const std::atomic<bool>& stop) const {
+                                                    int threads, const std::atomic<bool>& stop) {
     constexpr size_t chunk = 8;
-    const GatherTask task{depth, &rays_.grid_at(depth), next(depth), true};
     std::vector<IrradianceRecord> records(places.size());
-    parallel_for((places.size() + chunk - 1) / chunk, threads, stop, [&](size_t c) {
+    std::vector<std::vector<Surfel>> fresh((places.size() + chunk - 1) / chunk);
+    parallel_for(fresh.size(), threads, stop, [&](size_t c) {
         const auto some = places.subspan(c * chunk, std::min(chunk, places.size() - c * chunk));
+        GatherTask task{depth, &rays_.grid_at(depth), next(depth), true, surfels_at(depth)};
+        if (task.known) task.fresh = &fresh[c];
         std::array<Gathered, chunk> found;
         rays_.gather(some, task, std::span(found).first(some.size()));
         for (size_t i = 0; i < some.size(); ++i) records[c * chunk + i] = record_of(some[i], depth, found[i]);
     });
+    for (const auto& some : fresh) {
+        for (const Surfel& surfel : some) surfels_[static_cast<size_t>(depth)].insert(surfel);
+        surfel_counts_[static_cast<size_t>(depth)] += some.size();
+    }
     return records;
 }
 
 IrradianceRecord CachedLight::record_of(const IndirectPlace& place, int depth,
                                         const Gathered& gathered) const {
-    const RadiositySettings& settings = rays_.settings();
-    const double scale = looseness(depth) * glm::length(place.point - eye_);
+    const GatherQuality& quality = rays_.quality();
+    const double scale = std::ldexp(glm::length(place.point - eye_), depth);
     IrradianceRecord record;
     record.point = place.point;
     record.normal = place.normal;
@@ -107,8 +132,8 @@ IrradianceRecord CachedLight::record_of(const IndirectPlace& place, int depth,
     // Where everything would change over a distance no record is good for more.
     const double change = record.translation.steepness();
     const double steady = change > 0.0 ? grey(gathered.mean) / change : gathered.distance;
-    record.radius = std::clamp(std::min(gathered.distance, steady), settings.minimum_reuse * scale,
-                               settings.maximum_reuse * scale);
+    record.radius = std::clamp(std::min(gathered.distance, steady), quality.minimum_radius * scale,
+                               quality.maximum_radius * scale);
     return record;
 }
 

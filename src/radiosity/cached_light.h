@@ -1,6 +1,7 @@
 #pragma once
 #include "radiosity/irradiance_cache.h"
 #include "radiosity/ray_gather.h"
+#include "radiosity/surfel_grid.h"
 
 #include <vector>
 
@@ -10,7 +11,8 @@ namespace rb {
 /// well enough is gathered on the spot, and not kept, so that answers never depend on what was asked before.
 class CachedLight final : public IndirectLight {
 public:
-    CachedLight(const RayGather& rays, const Vec3& eye);
+    /// `with_surfels`: what gathers meet is shaded once for all that see it about as large.
+    CachedLight(const RayGather& rays, const Vec3& eye, bool with_surfels);
 
     void gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const override;
 
@@ -24,16 +26,32 @@ public:
     std::array<uint64_t, 2> gap_counts() const { return {gaps_[0].load(), gaps_[1].load()}; }
     size_t record_count(int depth) const { return caches_[static_cast<size_t>(depth)].size(); }
 
+    uint64_t interpolation_count() const { return interpolations_.load(); }
+    /// By depth of those who look at them; none if they are not used.
+    std::span<const SurfelGrid> surfels() const { return surfels_; }
+    /// How many were shaded to be kept.
+    std::span<const size_t> surfel_counts() const { return surfel_counts_; }
+    /// RMS of what interpolation would have been wrong by where it was not trusted, in units of the light: an
+    /// upper bound, about, of its error where it is.
+    double error_estimate() const;
+
 private:
+    void compare(std::span<const IrradianceRecord> records);
+    const SurfelGrid* surfels_at(int depth) const;
     IrradianceRecord record_of(const IndirectPlace& place, int depth, const Gathered& gathered) const;
     std::vector<IrradianceRecord> gathered(std::span<const IndirectPlace> places, int depth, int threads,
-                                           const std::atomic<bool>& stop) const;
+                                           const std::atomic<bool>& stop);
     const IndirectLight* next(int depth) const;
     bool is_enough(double weight) const;
 
     const RayGather& rays_;
     Vec3 eye_;
     std::vector<IrradianceCache> caches_;  ///< by depth
+    std::vector<SurfelGrid> surfels_;
+    std::vector<size_t> surfel_counts_;
+    double error_squares_ = 0;
+    size_t compared_ = 0;
+    mutable std::atomic<uint64_t> interpolations_{0};
     mutable std::array<std::atomic<uint64_t>, 2> gaps_{};
 };
 

@@ -1,7 +1,5 @@
 #include "radiosity/irradiance_cache.h"
 
-#include "math/random.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -21,33 +19,47 @@ Rgb extrapolated(const IrradianceRecord& record, const Vec3& point, const Vec3& 
 
 }  // namespace
 
-size_t IrradianceCache::HashCell::operator()(const Cell& cell) const {
-    const uint64_t xy = mixed(static_cast<uint64_t>(cell.x), static_cast<uint64_t>(cell.y));
-    return mixed(xy, static_cast<uint64_t>(cell.z));
-}
-
-IrradianceCache::Cell IrradianceCache::Level::cell_of(const Vec3& point) const {
-    constexpr double far = 0x1p60;
-    const Vec3 scaled = glm::clamp(glm::floor(point / cell_size), -far, far);
-    return {static_cast<int64_t>(scaled.x), static_cast<int64_t>(scaled.y), static_cast<int64_t>(scaled.z)};
-}
-
 void IrradianceCache::insert(const IrradianceRecord& record) {
     const double reach = record.radius * bound_;
     // Places whose neighbours double precision cannot tell apart are of no use.
     if (!(reach > 1e-9 * max_component(glm::abs(record.point))) || !std::isfinite(reach)) return;
-    const int exponent = static_cast<int>(std::ceil(std::log2(2.0 * reach)));
-    Level& level = levels_[exponent];
-    level.cell_size = std::ldexp(1.0, exponent);
     constexpr double rounding = 1e-9;
     const Entry entry{record.point, reach * reach * (1.0 + rounding), static_cast<uint32_t>(records_.size())};
     records_.push_back(record);
-    const Cell low = level.cell_of(record.point - Vec3{reach});
-    const Cell high = level.cell_of(record.point + Vec3{reach});
-    for (int64_t z = low.z; z <= high.z; ++z) {
-        for (int64_t y = low.y; y <= high.y; ++y) {
-            for (int64_t x = low.x; x <= high.x; ++x) level.cells[{x, y, z}].push_back(entry);
+    if (nodes_.empty()) {
+        nodes_.emplace_back();
+        root_ = {record.point, std::exp2(std::ceil(std::log2(reach)))};
+    }
+    for (const double side : {-reach, reach}) {
+        while (!root_.contains(record.point + Vec3{side})) grow_towards(record.point + Vec3{side});
+    }
+    put(0, root_, entry, reach);
+}
+
+/// The root becomes an eighth of a new one.
+void IrradianceCache::grow_towards(const Vec3& point) {
+    const size_t octant = root_.octant_of(point);
+    const Cube whole{root_.center + (2.0 * (root_.eighth(octant).center - root_.center)), 2.0 * root_.half};
+    const size_t old = whole.octant_of(root_.center);
+    nodes_.push_back(std::move(nodes_.front()));
+    nodes_.front() = {};
+    nodes_.front().children[old] = static_cast<uint32_t>(nodes_.size() - 1);
+    root_ = whole;
+}
+
+void IrradianceCache::put(uint32_t node, const Cube& cube, const Entry& entry, double reach) {
+    if (cube.half < reach) {
+        nodes_[node].entries.push_back(entry);
+        return;
+    }
+    for (size_t octant = 0; octant < 8; ++octant) {
+        const Cube part = cube.eighth(octant);
+        if (max_component(glm::abs(entry.point - part.center)) > part.half + reach) continue;
+        if (nodes_[node].children[octant] == 0) {
+            nodes_[node].children[octant] = static_cast<uint32_t>(nodes_.size());
+            nodes_.emplace_back();
         }
+        put(nodes_[node].children[octant], part, entry, reach);
     }
 }
 
@@ -65,10 +77,10 @@ double IrradianceCache::weight_of(const IrradianceRecord& record, const Vec3& po
 
 IrradianceCache::Found IrradianceCache::look_up(const Vec3& point, const Vec3& normal) const {
     Found found;
-    for (const auto& [exponent, level] : levels_) {
-        const auto cell = level.cells.find(level.cell_of(point));
-        if (cell == level.cells.end()) continue;
-        for (const Entry& entry : cell->second) {
+    if (nodes_.empty() || !root_.contains(point)) return found;
+    Cube cube = root_;
+    for (const Node* node = &nodes_.front();;) {
+        for (const Entry& entry : node->entries) {
             const Vec3 way = point - entry.point;
             if (glm::dot(way, way) > entry.reach_squared) continue;
             const IrradianceRecord& record = records_[entry.record];
@@ -77,6 +89,10 @@ IrradianceCache::Found IrradianceCache::look_up(const Vec3& point, const Vec3& n
             found.weight += weight;
             found.mean += static_cast<float>(weight) * extrapolated(record, point, normal);
         }
+        const size_t octant = cube.octant_of(point);
+        if (node->children[octant] == 0) break;
+        node = &nodes_[node->children[octant]];
+        cube = cube.eighth(octant);
     }
     if (found.weight > 0.0) found.mean /= static_cast<float>(found.weight);
     return found;

@@ -2,8 +2,6 @@
 #include "radiosity/gradient.h"
 
 #include <cstdint>
-#include <map>
-#include <unordered_map>
 #include <vector>
 
 namespace rb {
@@ -36,31 +34,42 @@ public:
     size_t size() const { return records_.size(); }
 
 private:
-    struct Cell {
-        int64_t x, y, z;
-        friend bool operator==(const Cell&, const Cell&) = default;
-    };
-    struct HashCell {
-        size_t operator()(const Cell& cell) const;
-    };
-    /// A record, as cells have it: most that are asked are too far away.
+    /// A record, as nodes have it: most that are asked are too far away.
     struct Entry {
         Vec3 point{0.0};
         double reach_squared = 0;  ///< or a little more
         uint32_t record = 0;
     };
-    /// Cells of a size that holds the reach of its records in at most two along each axis.
-    struct Level {
-        double cell_size = 1;
-        std::unordered_map<Cell, std::vector<Entry>, HashCell> cells;
-
-        Cell cell_of(const Vec3& point) const;
+    /// A cube of an octree; it holds records that reach into it and about as far as it is large.
+    struct Node {
+        std::array<uint32_t, 8> children{};  ///< 0: none
+        std::vector<Entry> entries;
     };
+    struct Cube {
+        Vec3 center{0.0};
+        double half = 0;
+
+        /// Which eighth a point is in, and the cube of it.
+        size_t octant_of(const Vec3& point) const {
+            return (point.x >= center.x ? 1u : 0u) | (point.y >= center.y ? 2u : 0u) |
+                   (point.z >= center.z ? 4u : 0u);
+        }
+        Cube eighth(size_t octant) const {
+            const double step = 0.5 * half;
+            return {center +
+                        Vec3{octant & 1 ? step : -step, octant & 2 ? step : -step, octant & 4 ? step : -step},
+                    step};
+        }
+        bool contains(const Vec3& point) const { return max_component(glm::abs(point - center)) <= half; }
+    };
+    void grow_towards(const Vec3& point);
+    void put(uint32_t node, const Cube& cube, const Entry& entry, double reach);
     double weight_of(const IrradianceRecord& record, const Vec3& point, const Vec3& normal) const;
 
     double bound_;
     std::vector<IrradianceRecord> records_;
-    std::map<int, Level> levels_;  ///< by exponent of the cell size
+    std::vector<Node> nodes_;  ///< the first is the root
+    Cube root_;
 };
 
 }  // namespace rb

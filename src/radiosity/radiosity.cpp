@@ -19,10 +19,11 @@ void BruteLight::gather(std::span<const IndirectPlace> places, int depth, std::s
     }
 }
 
-Radiosity::Radiosity(const World& world, const ShadingOptions& options, GiMode mode,
+Radiosity::Radiosity(const World& world, const ShadingOptions& options, GiMode mode, double error,
                      std::shared_ptr<const PhotonLight> photons)
-    : rays_(world, options, std::move(photons)), brute_(rays_) {
-    if (mode != GiMode::brute) cached_ = std::make_unique<CachedLight>(rays_, world.camera.location);
+    : rays_(world, options, error, std::move(photons)), brute_(rays_) {
+    if (mode != GiMode::brute)
+        cached_ = std::make_unique<CachedLight>(rays_, world.camera.location, mode != GiMode::cache);
 }
 
 const IndirectLight& Radiosity::light() const {
@@ -37,6 +38,15 @@ RadiosityReport Radiosity::report() const {
             report.records.push_back(cached_->record_count(depth));
         }
         report.gaps = cached_->gap_counts();
+    }
+    if (cached_) {
+        report.interpolations = cached_->interpolation_count();
+        report.error_estimate = cached_->error_estimate();
+        report.surfels.assign(cached_->surfel_counts().begin(), cached_->surfel_counts().end());
+        for (const SurfelGrid& grid : cached_->surfels()) {
+            report.cells.push_back(grid.cell_count());
+            report.surfel_bytes += grid.byte_count();
+        }
     }
     report.gathers = rays_.gather_count();
     report.rays = rays_.ray_count();

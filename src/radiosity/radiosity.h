@@ -8,9 +8,11 @@ namespace rb {
 
 /// How the light between diffuse surfaces is found (`--gi`).
 enum class GiMode {
-    automatic,
-    off,    ///< not at all: as without radiosity{}
-    brute,  ///< rays over the hemisphere of every place, at every bounce
+    automatic,  ///< points
+    off,        ///< not at all: as without radiosity{}
+    points,     ///< a cache; what gathers meet is shaded once for all that see it about as large
+    cache,      ///< a cache; gathers shade all that they meet
+    brute,      ///< rays over the hemisphere of every place, at every bounce
 };
 
 /// Gathers at every place that asks, and at every surface that the rays meet.
@@ -30,7 +32,12 @@ using PictureSurvey = std::function<std::vector<IndirectPlace>(int step, const C
 /// What finding the indirect light took.
 struct RadiosityReport {
     std::vector<size_t> records;  ///< by bounce; none under GiMode::brute
+    std::vector<size_t> surfels;  ///< shaded to be kept, by bounce
+    std::vector<size_t> cells;    ///< that hold them, likewise
+    size_t surfel_bytes = 0;
     uint64_t gathers = 0;
+    uint64_t interpolations = 0;
+    double error_estimate = 0;       ///< see CachedLight
     std::array<uint64_t, 2> gaps{};  ///< places without a record: seen by the eye, and by gathers
     uint64_t rays = 0;               ///< that gathered, but for what they sent on
     uint64_t shadow_rays = 0;
@@ -39,8 +46,8 @@ struct RadiosityReport {
 /// The indirect light of a scene with radiosity{}.
 class Radiosity {
 public:
-    /// `photons`: what surfaces show of them, or null.
-    Radiosity(const World& world, const ShadingOptions& options, GiMode mode,
+    /// `error`: see GatherQuality. `photons`: what surfaces show of them, or null.
+    Radiosity(const World& world, const ShadingOptions& options, GiMode mode, double error = 0,
               std::shared_ptr<const PhotonLight> photons = nullptr);
 
     /// Before light() is asked. `longer_side`: of the picture, in pixels. Ends soon once `stop` is true.

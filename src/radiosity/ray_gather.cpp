@@ -23,14 +23,8 @@ StreamState& state_at(int depth) {
     return *states[index];
 }
 
-constexpr int fewest_rays = 5;
-constexpr int most_rays = 1 << 16;
-
-/// Few rays are too few: their noise costs more time than they save, since noisy records reach less far.
-int rays_for(int count) {
-    constexpr int enough = 256;
-    return std::clamp(count, std::min(count, enough / 4) * 4, most_rays);
-}
+/// Rays of a gather whose error hardly shows.
+constexpr int few_rays = 5;
 
 }  // namespace
 
@@ -89,14 +83,13 @@ Gradient RayGather::Cells::translation() const {
     return gradient;
 }
 
-RayGather::RayGather(const World& world, const ShadingOptions& options,
+RayGather::RayGather(const World& world, const ShadingOptions& options, double error,
                      std::shared_ptr<const PhotonLight> photons)
-    : program_(world, options, RayPurpose::gather), coarse_grid_(fewest_rays) {
+    : program_(world, options, RayPurpose::gather),
+      quality_(*world.settings.radiosity, error),
+      coarse_grid_(few_rays) {
     program_.photons = std::move(photons);
-    for (int depth = 0; depth < settings().recursion_limit; ++depth) {
-        const double count = rays_for(settings().count) * std::pow(0.5, depth);
-        grids_.emplace_back(std::max(fewest_rays, static_cast<int>(count)));
-    }
+    for (const int rays : quality_.rays) grids_.emplace_back(rays);
 }
 
 Rgb RayGather::limited(const Rgb& light) const {
@@ -147,7 +140,7 @@ void RayGather::gather(std::span<const IndirectPlace> places, const GatherTask& 
         Scratch::Scope memory(thread_scratch());
         const auto some = places.subspan(begin, std::min(together, places.size() - begin));
         Batch batch(some, grid, memory);
-        trace(batch, task.depth + 1, task.next);
+        trace(batch, task);
         for (size_t i = 0; i < some.size(); ++i) {
             const auto light = batch.light.subspan(i * grid.size(), grid.size());
             out[begin + i] = summed({batch.hemispheres[i], light}, task.gradients);
@@ -155,13 +148,20 @@ void RayGather::gather(std::span<const IndirectPlace> places, const GatherTask& 
     }
 }
 
-void RayGather::trace(Batch& batch, int depth, const IndirectLight* next) const {
+void RayGather::trace(Batch& batch, const GatherTask& task) const {
+    const int depth = task.depth + 1;
     StreamState& state = state_at(depth);
-    state.indirect = next;
-    state.wants_light = !next || next->wants_light();
+    state.indirect = task.next;
+    state.wants_light = !task.next || task.next->wants_light();
+    const double spread = std::sqrt(pi / static_cast<double>(task.grid->size()));
+    // What is in the air differs from ray to ray.
+    const bool clear_air = !program_.has_air() && !program_.media.fills_interiors();
+    const SurfelUse surfels{task.known, spread, task.fresh};
     Scratch::Scope memory(thread_scratch());
     const auto found = memory.take<GatheredLight>(batch.ray_count);
-    RayStream(program_, state).gather(batch.rays.first(batch.ray_count), depth, found);
+    RayStream(program_, state)
+        .gather(batch.rays.first(batch.ray_count), depth, task.known && clear_air ? &surfels : nullptr,
+                found);
     for (size_t i = 0; i < batch.ray_count; ++i) {
         batch.light[batch.cell_of_ray[i]] = {limited(found[i].rgb), found[i].distance};
     }

@@ -1,4 +1,5 @@
 #pragma once
+#include "radiosity/gather_quality.h"
 #include "radiosity/gradient.h"
 #include "radiosity/hemisphere.h"
 #include "shade/ray_stream.h"
@@ -24,18 +25,23 @@ struct GatherTask {
     const HemisphereGrid* grid = nullptr;
     const IndirectLight* next = nullptr;  ///< asked by what the rays meet; null at the last bounce
     bool gradients = false;
+    const SurfelLight* known = nullptr;    ///< what the rays need not shade; may be null
+    std::vector<Surfel>* fresh = nullptr;  ///< takes what they shaded; may be null
 };
 
 /// Gathers light at places by rays over the hemisphere.
 class RayGather {
 public:
-    /// `world` must outlive it, and have radiosity settings.
+    /// `world` must outlive it, and have radiosity settings. `error`: see GatherQuality.
     /// `photons`: what surfaces show of them, or null.
-    RayGather(const World& world, const ShadingOptions& options, std::shared_ptr<const PhotonLight> photons);
+    RayGather(const World& world, const ShadingOptions& options, double error,
+              std::shared_ptr<const PhotonLight> photons);
 
     const RadiositySettings& settings() const { return *program_.world.settings.radiosity; }
 
-    /// The directions that the settings want at that depth.
+    const GatherQuality& quality() const { return quality_; }
+
+    /// The directions that they want at that depth.
     const HemisphereGrid& grid_at(int depth) const { return grids_[static_cast<size_t>(depth)]; }
 
     /// A few directions, for places of which many are seen by one that gathers.
@@ -51,12 +57,13 @@ public:
 private:
     struct Batch;
     struct Cells;
-    void trace(Batch& batch, int depth, const IndirectLight* next) const;
+    void trace(Batch& batch, const GatherTask& task) const;
     Gathered summed(const Cells& cells, bool gradients) const;
     Rgb limited(const Rgb& light) const;
     Rgb toned(const Rgb& mean) const;
 
     ShadingProgram program_;
+    GatherQuality quality_;
     std::vector<HemisphereGrid> grids_;  ///< by depth
     HemisphereGrid coarse_grid_;
     mutable std::atomic<uint64_t> gathers_{0};

@@ -47,7 +47,7 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
     std::optional<Radiosity> radiosity;
     const IndirectLight* indirect = nullptr;
     if (ShadingProgram::has_indirect_light(world, shading)) {
-        radiosity.emplace(world, shading, options.gi, integrator.program().photons);
+        radiosity.emplace(world, shading, options.gi, options.gi_error, integrator.program().photons);
         radiosity->prepare(survey_of(integrator, rays, options, stop),
                            std::max(options.width, options.height), options.threads, stop);
         indirect = &radiosity->light();

@@ -27,19 +27,35 @@ void RayStream::trace(std::span<const CameraRay> rays, std::span<Radiance> out) 
     }
 }
 
-void RayStream::gather(std::span<const GatherRay> rays, int depth, std::span<GatheredLight> out) {
+void RayStream::gather(std::span<const GatherRay> rays, int depth, const SurfelUse* surfels,
+                       std::span<GatheredLight> out) {
     start(rays, depth);
+    for (GatheredLight& light : out) light.distance = infinity;
+    gathered_ = out;
+    surfels_ = surfels;
+    fresh_rays_.clear();
     run_wave();
-    note_distances(out);
+    gathered_ = {};
+    surfels_ = nullptr;
     while (!state_.rays.empty()) run_wave();
     add_powers();
     for (size_t i = 0; i < rays.size(); ++i) out[i].rgb = state_.slots[i].rgb;
+    for (size_t k = 0; k < fresh_rays_.size(); ++k) {
+        Surfel& fresh = (*surfels->fresh)[surfels->fresh->size() - fresh_rays_.size() + k];
+        fresh.light = out[fresh_rays_[k]].rgb;
+    }
 }
 
-void RayStream::note_distances(std::span<GatheredLight> out) const {
-    for (GatheredLight& light : out) light.distance = infinity;
-    // Of a ray and its hits only these remain when the wave is over.
-    for (const HitPoint& hit : state_.hits) out[hit.ray].distance = hit.t;
+/// The light of what a ray meets is known, and added; or it will be.
+bool RayStream::is_known(uint32_t ray_index, const Hit& hit, uint32_t look, const Vec3& normal) {
+    if (!program_.textures[program_.looks[look].texture].is_matt) return false;
+    const Surfel surfel{hit.point, normal, hit.leaf, hit.crossing.member, look, surfels_->spread * hit.t};
+    if (surfels_->known->find(surfel, state_.slots[state_.rays[ray_index].slot].rgb)) return true;
+    if (surfels_->fresh) {
+        surfels_->fresh->push_back(surfel);
+        fresh_rays_.push_back(ray_index);
+    }
+    return false;
 }
 
 void RayStream::clear(size_t slots) {
@@ -164,6 +180,7 @@ const Candidates* RayStream::candidates(std::span<const PathRay> rays) {
 
 void RayStream::add_hit(uint32_t ray_index, const Hit& hit) {
     const PathRay& ray = state_.rays[ray_index];
+    if (!gathered_.empty()) gathered_[ray_index].distance = hit.t;
     Rgb weight = ray.weight;
     float alpha = ray.alpha;
     if (program_.has_air()) pass_air(ray_index, hit.t, lights_on(hit), weight, alpha);
@@ -185,11 +202,14 @@ void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgr
                           const Rgb& weight, float alpha) {
     const Vec3& direction = state_.rays[ray_index].ray.direction;
     const bool from_inside = glm::dot(hit.normal, direction) > 0.0;
+    const uint32_t look = from_inside ? surface.interior_look : surface.look;
+    const Vec3 normal = from_inside ? -hit.normal : hit.normal;
+    if (surfels_ && weight == Rgb(1.0f) && is_known(ray_index, hit, look, normal)) return;
     const size_t index = state_.hits.size();
     // Piece by piece in its place: a copy would wait for what has only just been stored.
     HitPoint& kept = state_.hits.emplace_back();
     kept.point = hit.point;
-    kept.normal = from_inside ? -hit.normal : hit.normal;
+    kept.normal = normal;
     kept.direction = direction;
     kept.t = hit.t;
     kept.error = hit.error;
@@ -197,7 +217,7 @@ void RayStream::add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgr
     kept.leaf = hit.leaf;
     kept.part = hit.crossing.part;
     kept.member = hit.crossing.member;
-    kept.look = from_inside ? surface.interior_look : surface.look;
+    kept.look = look;
     kept.interior = surface.interior;
     kept.weight = weight;
     kept.alpha = alpha;

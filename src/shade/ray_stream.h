@@ -1,5 +1,6 @@
 #pragma once
 #include "shade/media_tracer.h"
+#include "shade/surfel.h"
 
 namespace rb {
 
@@ -26,8 +27,9 @@ public:
     void trace(std::span<const CameraRay> rays, std::span<Radiance> out);
 
     /// Rays from surfaces with `depth` - 1 diffuse surfaces between them and the eye, under the limits of
-    /// shading spec 13.3.
-    void gather(std::span<const GatherRay> rays, int depth, std::span<GatheredLight> out);
+    /// shading spec 13.3. `surfels`: what need not be shaded again; or null.
+    void gather(std::span<const GatherRay> rays, int depth, const SurfelUse* surfels,
+                std::span<GatheredLight> out);
 
 protected:
     void add_point(uint32_t ray_index, const Hit& hit, const SurfaceProgram& surface, const Rgb& weight,
@@ -41,7 +43,7 @@ private:
     void clear(size_t slots);
     void start(std::span<const CameraRay> rays);
     void start(std::span<const GatherRay> rays, int depth);
-    void note_distances(std::span<GatheredLight> out) const;
+    bool is_known(uint32_t ray_index, const Hit& hit, uint32_t look, const Vec3& normal);
     void run_wave();
     RayMask mask_of(const PathRay& ray) const;
     void intersect();
@@ -61,6 +63,11 @@ private:
     MediaTracer media_;
     Candidates candidates_;            ///< of the rays at hand
     std::vector<SurfaceWeight> worn_;  ///< of the hit at hand
+
+    // Of the first wave of rays that gather; empty and null after it.
+    std::span<GatheredLight> gathered_;
+    const SurfelUse* surfels_ = nullptr;
+    std::vector<uint32_t> fresh_rays_;  ///< of the surfels that are new
 };
 
 }  // namespace rb

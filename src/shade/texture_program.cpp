@@ -72,6 +72,8 @@ void TextureProgram::add_layer(const Texture& texture, TextureCompiler& compiler
         needs_surface || layer.pigment.needs_surface() || (layer.normal && layer.normal->needs_surface());
     passes_light = passes_light || layer.pigment.passes_light();
     has_fresnel = has_fresnel || (layer.finish->reflects && layer.finish->finish.reflection.fresnel);
+    is_matt = is_matt && !needs_surface && !passes_light && !layer.finish->reflects &&
+              layer.finish->finish.irid_amount == 0.0f;
     layers.push_back(std::move(layer));
 }
 
@@ -89,7 +91,9 @@ void TextureProgram::add_children(const Texture& texture, TextureCompiler& compi
         needs_surface = needs_surface || child.needs_surface;
         passes_light = passes_light || child.passes_light;
         has_fresnel = has_fresnel || child.has_fresnel;
+        is_matt = is_matt && child.is_matt;
     }
+    is_matt = is_matt && !needs_surface;
     map = std::make_shared<TextureMapProgram>(std::move(chosen));
 }
 

@@ -72,6 +72,7 @@ struct TextureProgram {
     bool needs_surface = false;  ///< some pattern asks for normals, directions or uv
     bool passes_light = false;   ///< some place may be transparent
     bool has_fresnel = false;
+    bool is_matt = true;  ///< it shows the same light to everyone
 
 private:
     void add_layer(const Texture& texture, TextureCompiler& compiler);

@@ -152,10 +152,13 @@ TEST(CommandLine, Sampling) {
     EXPECT_EQ(s.seed, 7u);
     EXPECT_EQ(s.area_lights, AreaLightMode::true_area);
     EXPECT_DOUBLE_EQ(parse({"a.pov", "--error", "0.01"}).antialias_options.error, 0.01);
+    EXPECT_EQ(plain.gi_error, 0.0);
+    EXPECT_DOUBLE_EQ(parse({"a.pov", "--gi-error", "0.5%"}).gi_error, 0.005);
     EXPECT_EQ(parse({"a.pov", "+AM3", "+AC0.95"}).antialias_options.method, 3);
     EXPECT_DOUBLE_EQ(parse({"a.pov", "+AM3", "+AC0.95"}).antialias_options.confidence, 0.95);
     for (const char* bad : {"", "%", "x", "0", "-1%", "1%%", "nan", "inf"}) {
         EXPECT_THROW(parse({"a.pov", std::string("--error=") + bad}), UsageError) << bad;
+        EXPECT_THROW(parse({"a.pov", std::string("--gi-error=") + bad}), UsageError) << bad;
     }
     EXPECT_THROW(parse({"a.pov", "--max-samples", "0"}), UsageError);
     EXPECT_THROW(parse({"a.pov", "--area-light", "round"}), UsageError);

@@ -12,7 +12,8 @@ namespace {
 
 class ClosedForm : public testing::TestWithParam<GiMode> {
 protected:
-    Film film_of(const std::string& radiosity, const std::string& scene, int size = 32) const {
+    RenderResult result_of(const std::string& radiosity, const std::string& scene, int size,
+                           const RenderOptions& chosen = {}) const {
         LoadOptions loading;
         loading.input_file = "closed_form";
         loading.input_text = "#version 3.7; global_settings { assumed_gamma 1.0 radiosity { " + radiosity +
@@ -25,12 +26,15 @@ protected:
             return {};
         }
         const World world = compile(read, {}, diagnostics);
-        RenderOptions options;
+        RenderOptions options = chosen;
         options.width = options.height = size;
         options.region = {0, 0, size, size};
         options.gi = GetParam();
         const std::atomic<bool> stop{false};
-        return render(world, options, stop, nullptr).film;
+        return render(world, options, stop, nullptr);
+    }
+    Film film_of(const std::string& radiosity, const std::string& scene, int size = 32) const {
+        return result_of(radiosity, scene, size).film;
     }
 
     static double mean(const Film& film) {
@@ -39,6 +43,20 @@ protected:
         return sum / static_cast<double>(film.pixels.size());
     }
 };
+
+/// RMSE of a picture of the floor under a black ball of radius 1, 8 units wide, against the closed form.
+double shadow_error(const Film& film) {
+    double square = 0;
+    for (int y = 0; y < film.height; ++y) {
+        for (int x = 0; x < film.width; ++x) {
+            const double r =
+                std::hypot(x + 0.5 - film.width / 2, y + 0.5 - film.height / 2) * 8.0 / film.width;
+            const double expected = 1.0 - std::pow(1.0 + r * r, -1.5);
+            square += std::pow(static_cast<double>(film.at(x, y).rgb.x) - expected, 2);
+        }
+    }
+    return std::sqrt(square / (film.width * film.height));
+}
 
 constexpr const char* fine = "count 400 error_bound 0.3 minimum_reuse 0.002 recursion_limit 1";
 
@@ -79,22 +97,12 @@ TEST_P(ClosedForm, Furnace) {
 
 /// A black ball on a floor under a white sky: its shadow is darkest at the point of contact.
 TEST_P(ClosedForm, ContactShadow) {
-    constexpr int size = 32;
     const std::string scene =
         "camera { orthographic location <0, 0, -20> direction z right 8*x up 8*y } background { rgb 1 }\n"
         "plane { z, 0 pigment { rgb 1 } }\n"
         "sphere { -z, 1 pigment { rgb 0 } finish { diffuse 0 } no_image }\n";
     const auto error_of = [&](const std::string& settings) {
-        const Film film = film_of("recursion_limit 1 " + settings, scene, size);
-        double square = 0;
-        for (int y = 0; y < size; ++y) {
-            for (int x = 0; x < size; ++x) {
-                const double r = std::hypot(x + 0.5 - size / 2, y + 0.5 - size / 2) * 8.0 / size;
-                const double expected = 1.0 - std::pow(1.0 + r * r, -1.5);
-                square += std::pow(static_cast<double>(film.at(x, y).rgb.x) - expected, 2);
-            }
-        }
-        return std::sqrt(square) / size;
+        return shadow_error(film_of("recursion_limit 1 " + settings, scene));
     };
     EXPECT_LT(error_of(""), 0.02);
     EXPECT_LT(error_of("count 400 error_bound 0.3 minimum_reuse 0.002"), 0.005);
@@ -113,9 +121,69 @@ TEST_P(ClosedForm, NoLightComesThroughWalls) {
     for (const Radiance& pixel : film.pixels) EXPECT_EQ(pixel.rgb.x, 0.0f);
 }
 
-INSTANTIATE_TEST_SUITE_P(Radiosity, ClosedForm, testing::Values(GiMode::automatic, GiMode::brute),
+/// Two halves of a room with a wall without thickness between them that stands on walls which both share: one
+/// with a lamp, one without.
+TEST_P(ClosedForm, NoLightComesUnderWalls) {
+    const std::string room =
+        "box { <-1, 0, -1>, <1, 1, 1> pigment { rgb 0.9 } }\n"
+        "polygon { 5, <-2, -2>, <2, -2>, <2, 2>, <-2, 2>, <-2, -2> rotate 90*y translate 0.03*x\n"
+        "  pigment { rgb 0.9 } }\n"
+        "light_source { <-0.5, 0.7, 0>, rgb 1 }\n";
+    const auto from = [&](const std::string& place) {
+        return mean(film_of("count 12 recursion_limit 2", "camera { " + place + " angle 90 }\n" + room));
+    };
+    EXPECT_GT(from("location <-0.95, 0.5, 0> look_at <0, 0.3, 0>"), 0.5);
+    EXPECT_LT(from("location <0.95, 0.5, 0> look_at <0, 0.3, 0>"), 0.001);
+}
+
+/// Something of everything: curved, flat, clear and mirroring surfaces, shadows and a texture.
+const std::string several =
+    "camera { location <0, 2, -5> look_at <0, 0.5, 0> }\nbackground { rgb <0.3, 0.4, 0.5> }\n"
+    "light_source { <5, 9, -4>, rgb 1 }\nplane { y, 0 pigment { checker rgb 0.3, rgb 0.8 } }\n"
+    "sphere { <-1.2, 0.6, 0>, 0.6 pigment { rgb <0.9, 0.4, 0.2> } }\n"
+    "sphere { <1.2, 0.6, 0>, 0.6 pigment { rgb 1 } finish { diffuse 0.1 reflection 0.8 } }\n"
+    "box { <-0.4, 0, 0.5>, <0.4, 1, 1.3> pigment { rgbt <0.2, 0.8, 0.3, 0.5> } }\n";
+
+TEST_P(ClosedForm, ThreadsDoNotShow) {
+    if (GetParam() == GiMode::brute) GTEST_SKIP() << "nothing is shared";
+    RenderOptions options;
+    options.block_size = 8;
+    options.threads = 1;
+    const Film one = result_of("count 30", several, 32, options).film;
+    options.threads = 3;
+    const Film three = result_of("count 30", several, 32, options).film;
+    for (size_t i = 0; i < one.pixels.size(); ++i) ASSERT_EQ(one.pixels[i].rgb, three.pixels[i].rgb) << i;
+}
+
+/// One number decides how good the picture gets.
+TEST_P(ClosedForm, ErrorAsAskedFor) {
+    if (GetParam() == GiMode::brute) GTEST_SKIP() << "no bound to choose";
+    const std::string scene =
+        "camera { orthographic location <0, 0, -20> direction z right 8*x up 8*y } background { rgb 1 }\n"
+        "plane { z, 0 pigment { rgb 1 } }\n"
+        "sphere { -z, 1 pigment { rgb 0 } finish { diffuse 0 } no_image }\n";
+    for (const double wanted : {0.02, 0.01, 0.005}) {
+        RenderOptions options;
+        options.gi_error = wanted;
+        EXPECT_LT(shadow_error(result_of("recursion_limit 1", scene, 32, options).film), wanted);
+    }
+}
+
+/// Most of what gathers meet is not shaded.
+TEST_P(ClosedForm, SurfelsSaveShadowRays) {
+    if (GetParam() != GiMode::points) GTEST_SKIP() << "there are none";
+    const auto report = result_of("count 100", several, 64).radiosity;
+    ASSERT_TRUE(report.has_value());
+    EXPECT_LT(4 * report->shadow_rays, report->rays);
+    EXPECT_GT(report->surfels.at(0), 0u);
+    EXPECT_GT(report->surfel_bytes, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Radiosity, ClosedForm, testing::Values(GiMode::points, GiMode::cache, GiMode::brute),
                          [](const auto& i) {
-                             return i.param == GiMode::brute ? std::string("brute") : std::string("cached");
+                             return std::string(i.param == GiMode::points  ? "points"
+                                                : i.param == GiMode::cache ? "cache"
+                                                                           : "brute");
                          });
 
 }  // namespace

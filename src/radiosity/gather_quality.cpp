@@ -1,0 +1,44 @@
+#include "radiosity/gather_quality.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rb {
+
+namespace {
+
+constexpr int fewest_rays = 5;
+constexpr int most_rays = 1 << 16;
+
+/// The language's bounds are for records without gradients. Looser ones would save little.
+constexpr double bound_share = 0.75;
+constexpr double loosest_bound = 0.27;
+
+/// Few rays are too few: their noise costs more time than they save, since noisy records reach less far.
+double rays_for(int count) {
+    constexpr int enough = 256;
+    return std::clamp(count, std::min(count, enough / 4) * 4, most_rays);
+}
+
+}  // namespace
+
+GatherQuality::GatherQuality(const RadiositySettings& settings, double error)
+    : minimum_radius(settings.minimum_reuse), maximum_radius(settings.maximum_reuse) {
+    double count = rays_for(settings.count);
+    double bound = std::min(loosest_bound, bound_share * settings.error_bound * settings.low_error_factor);
+    if (error > 0.0) {
+        // Measured: errors grow about as the bound, and shrink as the number of rays, to these powers.
+        constexpr double usual = 0.005;
+        constexpr double finest_radius = 0.004;
+        count = std::clamp(256.0 * std::pow(usual / error, 1.5), 64.0, double{most_rays});
+        bound = std::min(loosest_bound, 0.13 * std::pow(error / usual, 2.0 / 3.0));
+        minimum_radius = std::min(minimum_radius, finest_radius);
+    }
+    // Later bounces show less of their errors.
+    for (int depth = 0; depth < settings.recursion_limit; ++depth) {
+        rays.push_back(std::max(fewest_rays, static_cast<int>(std::ldexp(count, -depth))));
+        bounds.push_back(std::ldexp(bound, depth));
+    }
+}
+
+}  // namespace rb

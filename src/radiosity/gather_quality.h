@@ -1,0 +1,20 @@
+#pragma once
+#include "scene/scene.h"
+
+#include <vector>
+
+namespace rb {
+
+/// What the settings of radiosity{}, or one number in their place, come to. docs/radiosity.md has the table.
+struct GatherQuality {
+    std::vector<int> rays;       ///< of one gather, by depth
+    std::vector<double> bounds;  ///< error up to which a record is used, by depth
+    double minimum_radius =
+        0;  ///< of records at depth 0, in distances from the eye; doubled with each bounce
+    double maximum_radius = 0;
+
+    /// `error`: RMSE that is aimed at, in shares of white; 0: as the settings say.
+    GatherQuality(const RadiositySettings& settings, double error);
+};
+
+}  // namespace rb

@@ -1,0 +1,41 @@
+#pragma once
+#include "shade/surfel.h"
+
+#include <cstdint>
+
+namespace rb {
+
+/// Light of matt surfaces in cells of a grid over each of their sides, in sizes of powers of two. A cell is
+/// known once two surfels in it agree. Where they do not (at the edge of a shadow, on both sides of a wall
+/// that stands in it) it never is. Lookups may run at once, but not together with insert().
+class SurfelGrid final : public SurfelLight {
+public:
+    /// `least`: size of the smallest cells, per distance from the eye.
+    SurfelGrid(const Vec3& eye, double least) : eye_(eye), least_(least) {}
+
+    bool find(const Surfel& surfel, Rgb& light) const override;
+    void insert(const Surfel& surfel);
+
+    size_t cell_count() const { return count_; }
+    size_t byte_count() const { return cells_.size() * sizeof(Cell); }
+
+private:
+    /// What tells a cell from others: a hash, of which two cells have the same once in 2^63.
+    using Key = uint64_t;
+    enum class State : uint32_t { empty, one, known, uneven };
+    struct Cell {
+        Key key = 0;
+        Rgb light{0.0f};  ///< of one surfel, or the mean of two
+        State state = State::empty;
+    };
+    Key key_of(const Surfel& surfel) const;
+    size_t slot_of(Key key) const;
+    void grow();
+
+    Vec3 eye_;
+    double least_;
+    std::vector<Cell> cells_;  ///< open addressing; as many as a power of two, at most half of them in use
+    size_t count_ = 0;
+};
+
+}  // namespace rb
