@@ -179,7 +179,7 @@ std::optional<TriangleMesh> SphereSweep::tessellate(double tolerance) const {
     Facets facets(*this, tolerance - float_rounding(bounds_), cell);
     MeshRefinement refinement(facets, facets.start_with(marched_mesh(power, bounds_, cell)));
     // A vertex takes a search for the deepest ball at several places.
-    constexpr size_t most_faces = 20'000;
+    constexpr size_t most_faces = 40'000;
     if (!refinement.run(most_faces)) return std::nullopt;
     TriangleMesh mesh = refinement.take_mesh();
     mesh.error = tolerance;
