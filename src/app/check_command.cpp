@@ -3,7 +3,6 @@
 #include "app/geometry_oracle.h"
 #include "app/scene_input.h"
 
-#include <cstdio>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,8 +10,6 @@
 namespace rb {
 
 namespace {
-
-void print(const std::string& line) { std::fwrite(line.data(), 1, line.size(), stdout); }
 
 /// One line: place, feature, what happens instead.
 std::string line_of(const Unsupported& missing, const SourceMap& sources) {

@@ -36,7 +36,7 @@ void set_size(Settings& settings, const std::string& text) {
 }
 
 /// "0.5%" or "0.005"; more than 0.
-double share_of(const std::string& text) {
+double share_of(std::string_view option, const std::string& text) {
     double value = 0;
     size_t used = 0;
     try {
@@ -47,7 +47,7 @@ double share_of(const std::string& text) {
     const std::string unit = text.substr(used);
     if (unit == "%") value /= 100.0;
     if (used == 0 || (unit != "" && unit != "%") || !(value > 0.0) || !std::isfinite(value))
-        throw UsageError(fmt::format("--error {}: a share such as 0.5% expected", text));
+        throw UsageError(fmt::format("{} {}: a share such as 0.5% expected", option, text));
     return value;
 }
 
@@ -64,6 +64,14 @@ void parse_own(CLI::App& app, const std::vector<std::string>& arguments, Command
     }
 }
 
+void add_limits(CLI::App& app, DifferenceLimits& limits) {
+    app.add_option("--max-rmse", limits.max_rmse, "exit 1 above this RMSE (in 1/255)");
+    std::string off = "exit 1 above this share of pixels off by more than 8/255 (0..1";
+    if (limits.max_off) off += fmt::format("; default: {}", *limits.max_off);
+    app.add_option("--max-off", limits.max_off, off + ")");
+    app.add_option("--min-ssim", limits.min_ssim, "exit 1 below this structural similarity");
+}
+
 CommandLine parse_diff(const std::vector<std::string>& arguments) {
     CommandLine line;
     line.command = Command::diff;
@@ -74,10 +82,7 @@ CommandLine parse_diff(const std::vector<std::string>& arguments) {
     app.add_option("first", diff.first, "a picture")->required();
     app.add_option("second", diff.second, "another picture")->required();
     app.add_option("--heat-map", diff.heat_map, "write the difference as a picture");
-    app.add_option("--max-rmse", diff.max_rmse, "exit 1 above this RMSE (in 1/255)");
-    app.add_option("--max-off", diff.max_off,
-                   "exit 1 above this share of pixels off by more than 8/255 (0..1)");
-    app.add_option("--min-ssim", diff.min_ssim, "exit 1 below this structural similarity");
+    add_limits(app, diff.limits);
     app.add_flag("--json", diff.json, "print JSON");
     parse_own(app, arguments, line);
     return line;
@@ -99,8 +104,7 @@ CommandLine parse_compare(const std::vector<std::string>& arguments) {
     line.command = Command::compare;
     CLI::App app{
         "Renders scenes with POV-Ray and with RenderBoy, each in a process of its own, and compares pictures "
-        "and "
-        "times. POV-Ray's words (+W640, +A0.3, +Lfolder, Name=value, file.ini) go to both; 320x240 by "
+        "and times. POV-Ray's words (+W640, +A0.3, +Lfolder, Name=value, file.ini) go to both; 320x240 by "
         "default.",
         "renderboy compare"};
     CompareSettings& compare = line.compare;
@@ -110,10 +114,7 @@ CommandLine parse_compare(const std::vector<std::string>& arguments) {
     app.add_option("--povray", compare.povray, "the program to compare with (default: povray)");
     app.add_option("--timeout", compare.timeout, "seconds after which a run is killed (default: 600)")
         ->check(CLI::PositiveNumber);
-    app.add_option("--max-off", compare.max_off,
-                   "exit 1 above this share of pixels off by more than 8/255 (default: 0.01)");
-    app.add_option("--max-rmse", compare.max_rmse, "exit 1 above this RMSE (in 1/255)");
-    app.add_option("--min-ssim", compare.min_ssim, "exit 1 below this structural similarity");
+    add_limits(app, compare.limits);
     app.add_option("--html", compare.html, "write a page with all pictures and figures");
     app.add_option("--table", compare.table, "write the figures as a table with tabs");
     app.add_option("--cache", compare.cache,
@@ -171,9 +172,9 @@ public:
         if (error_) {
             settings.antialias = true;
             settings.antialias_options.method = method_by_error;
-            settings.antialias_options.error = share_of(*error_);
+            settings.antialias_options.error = share_of("--error", *error_);
         }
-        if (gi_error_) settings.gi_error = share_of(*gi_error_);
+        if (gi_error_) settings.gi_error = share_of("--gi-error", *gi_error_);
         if (!output_) return;
         set_option(settings, "Output_File_Name", *output_);
         if (const auto type = file_type_for(*output_)) settings.file_type = *type;
@@ -251,6 +252,11 @@ private:
 };
 
 }  // namespace
+
+bool DifferenceLimits::hold(const ImageDifference& d) const {
+    return (!max_rmse || d.rmse <= *max_rmse) && (!max_off || d.share_off <= *max_off) &&
+           (!min_ssim || d.ssim >= *min_ssim);
+}
 
 CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     const std::string first = arguments.empty() ? "" : arguments.front();

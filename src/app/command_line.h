@@ -1,5 +1,6 @@
 #pragma once
 #include "app/settings.h"
+#include "image/compare.h"
 
 #include <string>
 #include <vector>
@@ -8,14 +9,21 @@ namespace rb {
 
 enum class Command { render, check, diff, compare, help, version };
 
-/// `renderboy diff a.png b.png`: pictures and limits; a limit that is passed makes the exit code 1.
+/// What two pictures may differ by; one that is passed makes the exit code 1.
+struct DifferenceLimits {
+    std::optional<double> max_rmse;
+    std::optional<double> max_off;
+    std::optional<double> min_ssim;
+
+    bool hold(const ImageDifference& difference) const;
+};
+
+/// `renderboy diff a.png b.png`.
 struct DiffSettings {
     std::string first;
     std::string second;
     std::optional<std::string> heat_map;
-    std::optional<double> max_rmse;
-    std::optional<double> max_off;
-    std::optional<double> min_ssim;
+    DifferenceLimits limits;
     bool json = false;
 };
 
@@ -24,15 +32,13 @@ struct SceneToCompare {
     std::vector<std::string> words;  ///< its own switches
 };
 
-/// `renderboy compare a.pov b.pov`: scenes that both programs render, and limits as of `diff`.
+/// `renderboy compare a.pov b.pov`: scenes that both programs render.
 struct CompareSettings {
     std::vector<SceneToCompare> scenes;
     std::vector<std::string> words;  ///< POV-Ray's switches, for both programs and all scenes
     std::string povray = "povray";
     double timeout = 600;  ///< seconds for one run
-    double max_off = 0.01;
-    std::optional<double> max_rmse;
-    std::optional<double> min_ssim;
+    DifferenceLimits limits{.max_off = 0.01};
     std::optional<std::string> html;
     std::optional<std::string> table;
     std::optional<std::string> cache;  ///< folder for pictures and figures of runs

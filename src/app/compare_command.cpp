@@ -1,9 +1,9 @@
 #include "app/commands.h"
 #include "app/compare_page.h"
+#include "app/console.h"
 #include "base/diagnostics.h"
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <unistd.h>
 
@@ -12,11 +12,6 @@
 namespace rb {
 
 namespace {
-
-void print(const std::string& text) {
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    std::fflush(stdout);
-}
 
 /// The folder where runs are kept, or one that goes away again.
 class RunFolder {
@@ -48,11 +43,7 @@ enum class Verdict { passed, failed, not_rendered_by_povray };
 Verdict judge(const CompareSettings& settings, const ComparedScene& scene) {
     if (scene.povray.picture.empty()) return Verdict::not_rendered_by_povray;
     if (!scene.difference) return Verdict::failed;
-    const ImageDifference& d = *scene.difference;
-    const bool passed = d.share_off <= settings.max_off &&
-                        (!settings.max_rmse || d.rmse <= *settings.max_rmse) &&
-                        (!settings.min_ssim || d.ssim >= *settings.min_ssim);
-    return passed ? Verdict::passed : Verdict::failed;
+    return settings.limits.hold(*scene.difference) ? Verdict::passed : Verdict::failed;
 }
 
 std::string line_of(const ComparedScene& scene, Verdict verdict) {

@@ -3,11 +3,11 @@
 #include "base/diagnostics.h"
 #include "base/temporary_file.h"
 #include "image/file.h"
+#include "language/open_file.h"
 
 #include <array>
 #include <fstream>
 #include <functional>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -99,10 +99,8 @@ std::string base64(std::string_view bytes) {
 
 std::string image_cell(const std::string& picture) {
     if (picture.empty()) return "<td></td>";
-    std::ifstream in(picture, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << in.rdbuf();
-    return fmt::format("<td><img src=\"data:image/png;base64,{}\"></td>", base64(bytes.str()));
+    return fmt::format("<td><img src=\"data:image/png;base64,{}\"></td>",
+                       base64(read_whole_file(picture).value_or("")));
 }
 
 std::string difference_cell(const ComparedScene& scene, const std::string& beside) {

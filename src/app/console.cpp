@@ -31,6 +31,11 @@ bool is_terminal() {
 
 }  // namespace
 
+void print(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fflush(stdout);
+}
+
 Console::Console(bool verbose, bool warnings)
     : verbose_(verbose), warnings_(warnings), terminal_(is_terminal()) {}
 

@@ -11,8 +11,11 @@ namespace rb {
 
 class MessageFiles;
 
-/// Everything the program says goes to standard error through here. On a terminal: short lines and one
-/// progress line with the time left. Otherwise: the lines that programs which drive POV-Ray look for
+/// What a command answers, on standard output, at once.
+void print(std::string_view text);
+
+/// Everything else that the program says goes to standard error through here. On a terminal: short lines and
+/// one progress line with the time left. Otherwise: the lines that programs which drive POV-Ray look for
 /// (tests/app/contract.txt).
 class Console {
 public:

@@ -1,7 +1,6 @@
 #include "app/commands.h"
+#include "app/console.h"
 #include "image/compare.h"
-
-#include <cstdio>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -30,11 +29,8 @@ int run_diff(const DiffSettings& settings) {
             "rmse {:.4f}/255  off by more than 8/255: {:.4f} %  ssim {:.5f}  largest {:.0f}/255\n", d.rmse,
             100 * d.share_off, d.ssim, d.max_error);
     }
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    const bool passed = (!settings.max_rmse || d.rmse <= *settings.max_rmse) &&
-                        (!settings.max_off || d.share_off <= *settings.max_off) &&
-                        (!settings.min_ssim || d.ssim >= *settings.min_ssim);
-    return passed ? exit_done : exit_error;
+    print(text);
+    return settings.limits.hold(d) ? exit_done : exit_error;
 }
 
 }  // namespace rb

@@ -98,7 +98,7 @@ int dump_stage(const Settings& settings, const AnimationFrame& frame, Console& c
         }
     }
     console.report(diagnostics, sources);
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    print(text);
     return loaded && diagnostics.error_count() == 0 ? exit_done : exit_error;
 }
 

@@ -3,6 +3,7 @@
 #include "base/diagnostics.h"
 #include "base/temporary_file.h"
 #include "image/file.h"
+#include "language/open_file.h"
 
 #include <charconv>
 #include <filesystem>
@@ -20,12 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-std::string text_of(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
-}
+std::string text_of(const std::string& path) { return read_whole_file(path).value_or(""); }
 
 /// Size and time of last change.
 std::string identity_of(const std::string& path) {

@@ -38,12 +38,12 @@ std::string radiosity_text(const std::optional<RadiosityReport>& report) {
     const auto sum = [](const std::vector<size_t>& parts) {
         return std::accumulate(parts.begin(), parts.end(), size_t{0});
     };
-    return fmt::format(
-        "Gathers:      {:>12}  by {} rays, {} shadow rays\nInterpolations:{:>11}  from {} records; error "
-        "where "
-        "not trusted {:.4f}\nSurfels:      {:>12}  in {} cells, {} bytes\n",
-        report->gathers, report->rays, report->shadow_rays, report->interpolations, sum(report->records),
-        report->error_estimate, sum(report->surfels), sum(report->cells), report->surfel_bytes);
+    return fmt::format("Gathers:      {:>12}  by {} rays, {} shadow rays\n", report->gathers, report->rays,
+                       report->shadow_rays) +
+           fmt::format("Interpolations:{:>11}  from {} records; error where not trusted {:.4f}\n",
+                       report->interpolations, sum(report->records), report->error_estimate) +
+           fmt::format("Surfels:      {:>12}  in {} cells, {} bytes\n", sum(report->surfels),
+                       sum(report->cells), report->surfel_bytes);
 }
 
 }  // namespace

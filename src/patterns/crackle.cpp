@@ -91,9 +91,10 @@ private:
     Nearest nearest_to(const Vec3& p, const std::array<Vec3, 81>& features) const {
         constexpr double far = std::numeric_limits<double>::max();
         Nearest n{{far, far, far}, p};
-        // Of positive metrics no distance is shorter than its longest component; very small ones magnify
-        // rounding errors.
+        // Where powers are dear: of positive metrics no distance is shorter than its longest component. Very
+        // small ones magnify rounding errors.
         constexpr double least_bounded = 0.01;
+        const bool is_bounded = shape.metric > least_bounded && shape.metric != 1.0 && shape.metric != 2.0;
         double reach = std::numeric_limits<double>::infinity();
         for (const Vec3& feature : features) {
             const Vec3 d = glm::abs(feature - p);
@@ -109,7 +110,7 @@ private:
                 n.sum[2] = sum;
             }
             constexpr double rounding = 1.0 + 1e-12;
-            if (shape.metric > least_bounded) reach = rounding * std::pow(n.sum[2], 1.0 / shape.metric);
+            if (is_bounded) reach = rounding * std::pow(n.sum[2], 1.0 / shape.metric);
         }
         return n;
     }

@@ -9,8 +9,8 @@ namespace rb {
 struct GatherQuality {
     std::vector<int> rays;       ///< of one gather, by depth
     std::vector<double> bounds;  ///< error up to which a record is used, by depth
-    double minimum_radius =
-        0;  ///< of records at depth 0, in distances from the eye; doubled with each bounce
+    // Of records at depth 0, in distances from the eye; doubled with each bounce.
+    double minimum_radius = 0;
     double maximum_radius = 0;
 
     /// `error`: RMSE that is aimed at, in shares of white; 0: as the settings say.

@@ -38,8 +38,6 @@ RadiosityReport Radiosity::report() const {
             report.records.push_back(cached_->record_count(depth));
         }
         report.gaps = cached_->gap_counts();
-    }
-    if (cached_) {
         report.interpolations = cached_->interpolation_count();
         report.error_estimate = cached_->error_estimate();
         report.surfels.assign(cached_->surfel_counts().begin(), cached_->surfel_counts().end());

@@ -27,9 +27,8 @@ private:
     /// The place that `u` falls on, not before `index`.
     size_t index_from(size_t index, double u) const;
 
-    std::vector<double> before_;  ///< each place: the weight of those before it; then 1
-    std::vector<uint32_t>
-        guide_;  ///< where equal parts of [0, 1) begin: the place; not after that of any `u` in them
+    std::vector<double> before_;   ///< each place: the weight of those before it; then 1
+    std::vector<uint32_t> guide_;  ///< of equal parts of [0, 1): the place that their beginning falls on
 };
 
 }  // namespace rb

@@ -113,6 +113,7 @@ Outline::Outline(std::vector<CurvePiece> pieces) : pieces_(std::move(pieces)) {
         include_piece(piece, box_);
         hulls.emplace_back(hull_of(piece));
     }
+    reach_ = CenteredBox(box_);
     tree_ = RangeTree<CenteredBox>(hulls);
     if (std::ranges::all_of(pieces_, [](const CurvePiece& piece) { return piece.degree == 1; })) return;
     samples_.resize(pieces_.size());

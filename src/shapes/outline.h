@@ -62,19 +62,6 @@ struct FlatBox {
     bool overlaps(const FlatBox& box) const {
         return lo.x <= box.hi.x && lo.y <= box.hi.y && box.lo.x <= hi.x && box.lo.y <= hi.y;
     }
-    /// True only if the line passes it by, rounding errors included.
-    bool is_missed_by(const PlaneLine& line) const {
-        const double x0 = line.a * lo.x;
-        const double x1 = line.a * hi.x;
-        const double y0 = line.b * lo.y;
-        const double y1 = line.b * hi.y;
-        const double least = std::min(x0, x1) + std::min(y0, y1) + line.c;
-        const double most = std::max(x0, x1) + std::max(y0, y1) + line.c;
-        constexpr double rounding = 1e-14;
-        const double margin =
-            rounding * (std::abs(x0) + std::abs(x1) + std::abs(y0) + std::abs(y1) + std::abs(line.c));
-        return least > margin || most < -margin;
-    }
 };
 
 /// A box by its middle and half its size, larger than what it was made of by more than rounding errors: where
@@ -137,7 +124,8 @@ public:
     /// `contact`, which is left out (may be null).
     template <class Sink>
     void crossings(const PlaneLine& line, const Contact* contact, Sink&& sink) const {
-        if (box_.is_missed_by(line)) return;
+        const CenteredBox::Misses misses(line);
+        if (misses(reach_)) return;
         // A line that runs along a straight edge meets the region, but not one along y (as measured).
         const bool touch_counts = line.b != 0.0;
         const bool zero_is_negative = (line.side(0.5 * (lo() + hi())) >= 0.0) == touch_counts;
@@ -153,7 +141,6 @@ public:
         if (pieces_.size() <= few) {
             for (uint32_t i = 0; i < pieces_.size(); ++i) take(i);
         } else {
-            const CenteredBox::Misses misses(line);
             tree_.visit([&](const CenteredBox& box) { return !misses(box); }, take);
         }
     }
@@ -188,6 +175,7 @@ private:
     std::vector<std::array<Vec2, sample_count>> samples_;  ///< empty if all pieces are straight
     RangeTree<CenteredBox> tree_;
     FlatBox box_{Vec2{0.0}, Vec2{0.0}};
+    CenteredBox reach_;  ///< the same
 };
 
 }  // namespace rb

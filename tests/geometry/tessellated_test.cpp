@@ -24,38 +24,26 @@ World world_of(const ObjectPtr& object, GeometryMode mode) {
     return compile(scene, options, diagnostics);
 }
 
-void expect_close(const ObjectPtr& object) {
-    const World exact = world_of(object, GeometryMode::exact);
-    const World facets = world_of(object, GeometryMode::tessellate);
+constexpr int ray_count = 200 * RB_TEST_SAMPLES;
+
+/// Sends rays from the camera at both worlds: body(query, exact hit or null, other hit or null).
+template <class Body>
+void for_rays(const World& exact, const World& other, Body&& body) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> unit(-1, 1);
-    int hits = 0;
-    int missed = 0;
-    double off = 0;
-    double turned = 0;
-    for (int i = 0; i < 200 * RB_TEST_SAMPLES; ++i) {
+    for (int i = 0; i < ray_count; ++i) {
         RayQuery query;
         query.ray.origin = {0, 0, -5};
         query.ray.direction = glm::normalize(Vec3{0.25 * unit(random), 0.25 * unit(random), 1});
         Hit a, b;
-        const bool hit = exact.geometry->closest(query, a);
-        if (facets.geometry->closest(query, b) != hit) {
-            ++missed;
-            continue;
-        }
-        // Grazing hits move far along the ray.
-        if (!hit || std::abs(glm::dot(a.normal, query.ray.direction)) < 0.3) continue;
-        ++hits;
-        off += std::abs(a.t - b.t);
-        turned += 1 - glm::dot(a.normal, b.normal);
+        const bool hits = exact.geometry->closest(query, a);
+        body(query, hits ? &a : nullptr, other.geometry->closest(query, b) ? &b : nullptr);
     }
-    EXPECT_GT(hits, 10 * RB_TEST_SAMPLES);
-    EXPECT_LT(off / hits, 0.1 * 5.0 / 240);
-    EXPECT_LT(turned / hits, 2e-3);
-    EXPECT_LT(missed, 200 * RB_TEST_SAMPLES / 500);
 }
 
-TEST(Tessellated, EveryFiniteShapeLooksTheSame) {
+/// Every finite shape that is not made of facets anyway, turned.
+template <class Body>
+void for_curved_shapes(Body&& body) {
     for (const ShapeKind* kind : all_shapes()) {
         const ObjectPtr object = object_from(kind->example);
         const auto shape = std::get<ShapePtr>(object->geometry);
@@ -63,40 +51,48 @@ TEST(Tessellated, EveryFiniteShapeLooksTheSame) {
         SCOPED_TRACE(kind->keyword);
         auto turned = std::make_shared<Object>(*object);
         transform_object(*turned, Transform::rotation_deg({-70, 20, 0}));
-        expect_close(turned);
+        body(turned);
     }
 }
 
+void expect_close(const ObjectPtr& object) {
+    int hits = 0;
+    int missed = 0;
+    double off = 0;
+    double turned = 0;
+    for_rays(world_of(object, GeometryMode::exact), world_of(object, GeometryMode::tessellate),
+             [&](const RayQuery& query, const Hit* a, const Hit* b) {
+                 missed += (a == nullptr) != (b == nullptr);
+                 // Grazing hits move far along the ray.
+                 if (!a || !b || std::abs(glm::dot(a->normal, query.ray.direction)) < 0.3) return;
+                 ++hits;
+                 off += std::abs(a->t - b->t);
+                 turned += 1 - glm::dot(a->normal, b->normal);
+             });
+    EXPECT_GT(hits, ray_count / 20);
+    EXPECT_LT(off / hits, 0.1 * 5.0 / 240);
+    EXPECT_LT(turned / hits, 2e-3);
+    EXPECT_LT(missed, ray_count / 500);
+}
+
+TEST(Tessellated, EveryFiniteShapeLooksTheSame) { for_curved_shapes(expect_close); }
+
 /// What rays meet is the true surface, bit for bit but for rounding, where the mesh is met at all.
 TEST(Tessellated, RefinedHitsAreTheTrueOnes) {
-    for (const ShapeKind* kind : all_shapes()) {
-        const ObjectPtr object = object_from(kind->example);
-        const auto shape = std::get<ShapePtr>(object->geometry);
-        if (!shape->bounds().is_finite() || shape->is_faceted() || shape->is_always_exact()) continue;
-        SCOPED_TRACE(kind->keyword);
-        auto turned = std::make_shared<Object>(*object);
-        transform_object(*turned, Transform::rotation_deg({-70, 20, 0}));
-        const World exact = world_of(turned, GeometryMode::exact);
-        const World refined = world_of(turned, GeometryMode::refine);
-        std::mt19937 random(3);
-        std::uniform_real_distribution<double> unit(-1, 1);
+    for_curved_shapes([](const ObjectPtr& object) {
         int hits = 0;
         int off = 0;
-        for (int i = 0; i < 200 * RB_TEST_SAMPLES; ++i) {
-            RayQuery query;
-            query.ray.origin = {0, 0, -5};
-            query.ray.direction = glm::normalize(Vec3{0.25 * unit(random), 0.25 * unit(random), 1});
-            Hit a, b;
-            const bool hit = exact.geometry->closest(query, a);
-            hits += hit;
-            const bool same =
-                refined.geometry->closest(query, b) == hit &&
-                (!hit || (std::abs(a.t - b.t) < 1e-9 && glm::length(a.normal - b.normal) < 1e-6));
-            off += !same;
-        }
-        EXPECT_GT(hits, 10 * RB_TEST_SAMPLES);
-        EXPECT_LT(off, 200 * RB_TEST_SAMPLES / 500);
-    }
+        for_rays(world_of(object, GeometryMode::exact), world_of(object, GeometryMode::refine),
+                 [&](const RayQuery&, const Hit* a, const Hit* b) {
+                     hits += a != nullptr;
+                     const bool same =
+                         a && b ? std::abs(a->t - b->t) < 1e-9 && glm::length(a->normal - b->normal) < 1e-6
+                                : a == b;
+                     off += !same;
+                 });
+        EXPECT_GT(hits, ray_count / 20);
+        EXPECT_LT(off, ray_count / 500);
+    });
 }
 
 TEST(Tessellated, InsideCompounds) {

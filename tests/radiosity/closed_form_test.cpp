@@ -10,31 +10,33 @@
 namespace rb {
 namespace {
 
+/// A square picture of a scene with these settings of radiosity.
+RenderResult rendered(GiMode mode, const std::string& radiosity, const std::string& scene, int size,
+                      RenderOptions options = {}) {
+    LoadOptions loading;
+    loading.input_file = "closed_form";
+    loading.input_text = "#version 3.7; global_settings { assumed_gamma 1.0 radiosity { " + radiosity +
+                         " } }\n#default { finish { ambient 0 diffuse 1 } }\n" + scene;
+    SourceMap sources;
+    Diagnostics diagnostics;
+    Scene read;
+    if (!load_scene(loading, sources, diagnostics, read)) {
+        for (const Diagnostic& d : diagnostics.all()) ADD_FAILURE() << format(d, sources);
+        return {};
+    }
+    const World world = compile(read, {}, diagnostics);
+    options.width = options.height = size;
+    options.region = {0, 0, size, size};
+    options.gi = mode;
+    const std::atomic<bool> stop{false};
+    return render(world, options, stop, nullptr);
+}
+
 class ClosedForm : public testing::TestWithParam<GiMode> {
 protected:
-    RenderResult result_of(const std::string& radiosity, const std::string& scene, int size,
-                           const RenderOptions& chosen = {}) const {
-        LoadOptions loading;
-        loading.input_file = "closed_form";
-        loading.input_text = "#version 3.7; global_settings { assumed_gamma 1.0 radiosity { " + radiosity +
-                             " } }\n#default { finish { ambient 0 diffuse 1 } }\n" + scene;
-        SourceMap sources;
-        Diagnostics diagnostics;
-        Scene read;
-        if (!load_scene(loading, sources, diagnostics, read)) {
-            for (const Diagnostic& d : diagnostics.all()) ADD_FAILURE() << format(d, sources);
-            return {};
-        }
-        const World world = compile(read, {}, diagnostics);
-        RenderOptions options = chosen;
-        options.width = options.height = size;
-        options.region = {0, 0, size, size};
-        options.gi = GetParam();
-        const std::atomic<bool> stop{false};
-        return render(world, options, stop, nullptr);
-    }
-    Film film_of(const std::string& radiosity, const std::string& scene, int size = 32) const {
-        return result_of(radiosity, scene, size).film;
+    Film film_of(const std::string& radiosity, const std::string& scene, int size = 32,
+                 const RenderOptions& options = {}) const {
+        return rendered(GetParam(), radiosity, scene, size, options).film;
     }
 
     static double mean(const Film& film) {
@@ -57,6 +59,12 @@ double shadow_error(const Film& film) {
     }
     return std::sqrt(square / (film.width * film.height));
 }
+
+/// That floor under a white sky.
+const std::string contact =
+    "camera { orthographic location <0, 0, -20> direction z right 8*x up 8*y } background { rgb 1 }\n"
+    "plane { z, 0 pigment { rgb 1 } }\n"
+    "sphere { -z, 1 pigment { rgb 0 } finish { diffuse 0 } no_image }\n";
 
 constexpr const char* fine = "count 400 error_bound 0.3 minimum_reuse 0.002 recursion_limit 1";
 
@@ -97,12 +105,8 @@ TEST_P(ClosedForm, Furnace) {
 
 /// A black ball on a floor under a white sky: its shadow is darkest at the point of contact.
 TEST_P(ClosedForm, ContactShadow) {
-    const std::string scene =
-        "camera { orthographic location <0, 0, -20> direction z right 8*x up 8*y } background { rgb 1 }\n"
-        "plane { z, 0 pigment { rgb 1 } }\n"
-        "sphere { -z, 1 pigment { rgb 0 } finish { diffuse 0 } no_image }\n";
     const auto error_of = [&](const std::string& settings) {
-        return shadow_error(film_of("recursion_limit 1 " + settings, scene));
+        return shadow_error(film_of("recursion_limit 1 " + settings, contact));
     };
     EXPECT_LT(error_of(""), 0.02);
     EXPECT_LT(error_of("count 400 error_bound 0.3 minimum_reuse 0.002"), 0.005);
@@ -145,46 +149,42 @@ const std::string several =
     "box { <-0.4, 0, 0.5>, <0.4, 1, 1.3> pigment { rgbt <0.2, 0.8, 0.3, 0.5> } }\n";
 
 TEST_P(ClosedForm, ThreadsDoNotShow) {
-    if (GetParam() == GiMode::brute) GTEST_SKIP() << "nothing is shared";
     RenderOptions options;
     options.block_size = 8;
     options.threads = 1;
-    const Film one = result_of("count 30", several, 32, options).film;
+    const Film one = film_of("count 30", several, 32, options);
     options.threads = 3;
-    const Film three = result_of("count 30", several, 32, options).film;
+    const Film three = film_of("count 30", several, 32, options);
     for (size_t i = 0; i < one.pixels.size(); ++i) ASSERT_EQ(one.pixels[i].rgb, three.pixels[i].rgb) << i;
 }
 
+/// What interpolates between places, with a bound to choose.
+class Interpolated : public ClosedForm {};
+
 /// One number decides how good the picture gets.
-TEST_P(ClosedForm, ErrorAsAskedFor) {
-    if (GetParam() == GiMode::brute) GTEST_SKIP() << "no bound to choose";
-    const std::string scene =
-        "camera { orthographic location <0, 0, -20> direction z right 8*x up 8*y } background { rgb 1 }\n"
-        "plane { z, 0 pigment { rgb 1 } }\n"
-        "sphere { -z, 1 pigment { rgb 0 } finish { diffuse 0 } no_image }\n";
+TEST_P(Interpolated, ErrorAsAskedFor) {
     for (const double wanted : {0.02, 0.01, 0.005}) {
         RenderOptions options;
         options.gi_error = wanted;
-        EXPECT_LT(shadow_error(result_of("recursion_limit 1", scene, 32, options).film), wanted);
+        EXPECT_LT(shadow_error(film_of("recursion_limit 1", contact, 32, options)), wanted);
     }
 }
 
 /// Most of what gathers meet is not shaded.
-TEST_P(ClosedForm, SurfelsSaveShadowRays) {
-    if (GetParam() != GiMode::points) GTEST_SKIP() << "there are none";
-    const auto report = result_of("count 100", several, 64).radiosity;
+TEST(Surfels, SaveShadowRays) {
+    const auto report = rendered(GiMode::points, "count 100", several, 64).radiosity;
     ASSERT_TRUE(report.has_value());
     EXPECT_LT(4 * report->shadow_rays, report->rays);
     EXPECT_GT(report->surfels.at(0), 0u);
     EXPECT_GT(report->surfel_bytes, 0u);
 }
 
+std::string name_of(const testing::TestParamInfo<GiMode>& info) {
+    return info.param == GiMode::points ? "points" : info.param == GiMode::cache ? "cache" : "brute";
+}
 INSTANTIATE_TEST_SUITE_P(Radiosity, ClosedForm, testing::Values(GiMode::points, GiMode::cache, GiMode::brute),
-                         [](const auto& i) {
-                             return std::string(i.param == GiMode::points  ? "points"
-                                                : i.param == GiMode::cache ? "cache"
-                                                                           : "brute");
-                         });
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Radiosity, Interpolated, testing::Values(GiMode::points, GiMode::cache), name_of);
 
 }  // namespace
 }  // namespace rb

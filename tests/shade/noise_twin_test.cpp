@@ -14,6 +14,7 @@
 #include <limits>
 #include <random>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace rb {
@@ -290,32 +291,40 @@ TEST(NoiseTwin, WrinklesPushNormals) {
     });
 }
 
-/// The default crackle from all features around a point, sorted.
-double crackle_twin(const Vec3& p) {
+/// Crackle of a metric from all features around a point, sorted.
+double crackle_twin(const Vec3& p, double metric) {
     NearFeatures features;
     std::vector<double> sums;
     for (const Vec3& feature : features.around(FeatureCell::of(p))) {
-        const Vec3 d = feature - p;
-        sums.push_back(d.x * d.x + d.y * d.y + d.z * d.z);
-        if (!(sums.back() < std::numeric_limits<double>::max()))
-            sums.back() = std::numeric_limits<double>::max();
+        const Vec3 d = glm::abs(feature - p);
+        const double sum = metric == 2.0
+                               ? d.x * d.x + d.y * d.y + d.z * d.z
+                               : std::pow(d.x, metric) + std::pow(d.y, metric) + std::pow(d.z, metric);
+        constexpr double far = std::numeric_limits<double>::max();
+        sums.push_back(sum < far ? sum : far);
     }
     std::sort(sums.begin(), sums.end());
-    return unit(std::sqrt(sums[1]) - std::sqrt(sums[0]));
+    const auto length = [&](double sum) {
+        return metric == 2.0 ? std::sqrt(sum) : std::pow(sum, 1.0 / metric);
+    };
+    return unit(length(sums[1]) - length(sums[0]));
 }
 
 TEST(NoiseTwin, Crackle) {
-    const WrittenPattern crackle = pattern_of("crackle");
-    each_batch(all_sorts_of_points(), [&](std::span<const Vec3> batch) {
-        std::vector<double> values(batch.size());
-        crackle.pattern->evaluate({crackle.modifiers, 2}, batch, values);
-        for (size_t i = 0; i < batch.size(); ++i) {
-            const Vec3& p = batch[i];
-            if (!std::isfinite(p.x + p.y + p.z)) continue;
-            EXPECT_TRUE(same(values[i], crackle_twin(p)))
-                << p.x << ' ' << p.y << ' ' << p.z << ": " << values[i] << ", not " << crackle_twin(p);
-        }
-    });
+    for (const double metric : {2.0, 3.0, 0.7, 0.003}) {
+        const WrittenPattern crackle = pattern_of(fmt::format("crackle metric {}", metric));
+        each_batch(all_sorts_of_points(), [&](std::span<const Vec3> batch) {
+            std::vector<double> values(batch.size());
+            crackle.pattern->evaluate({crackle.modifiers, 2}, batch, values);
+            for (size_t i = 0; i < batch.size(); ++i) {
+                const Vec3& p = batch[i];
+                if (!std::isfinite(p.x + p.y + p.z)) continue;
+                const double twin = crackle_twin(p, metric);
+                EXPECT_TRUE(same(values[i], twin)) << metric << " at " << p.x << ' ' << p.y << ' ' << p.z
+                                                   << ": " << values[i] << ", not " << twin;
+            }
+        });
+    }
 }
 
 }  // namespace
