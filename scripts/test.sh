@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds RenderBoy and its tests, and runs them: formatting, all fast tests, and the same under
-# the address and undefined behaviour sanitizers. Works on a fresh Debian 12; about ten minutes on two cores.
+# the address and undefined behaviour sanitizers. Works on a fresh Debian 12; under twenty minutes on two cores.
 # usage: scripts/test.sh [--quick]      --quick leaves the sanitizers out
 set -euo pipefail
 cd "$(dirname "$0")/.."
