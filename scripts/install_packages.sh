@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing. usage: scripts/install_packages.sh build|test
 set -euo pipefail
-build=(g++ cmake ninja-build libtbb-dev libfmt-dev libglm-dev libopenimageio-dev libpng-dev libfreetype-dev tao-pegtl-dev
-       libcli11-dev nlohmann-json3-dev)
+build=(g++ cmake ninja-build libtbb-dev libfmt-dev libglm-dev libopenimageio-dev libpng-dev libjpeg62-turbo-dev libfreetype-dev
+       tao-pegtl-dev libcli11-dev nlohmann-json3-dev)
 test=(libgtest-dev libboost-dev ccache clang-format povray-includes povray-examples)
 
 packages=("${build[@]}")

@@ -74,7 +74,7 @@ void write_netpbm(const PixelRows& rows, const OutputFormat& format, const std::
 /// call.
 void write_with_oiio(const Samples& samples, const OutputFormat& format, const std::string& path);
 Pixels read_with_oiio(const std::string& path);
-/// JPEG, TIFF (as 8 bits a channel, like the reference), OpenEXR, HDR as the file holds them.
+/// TIFF (as 8 bits a channel, like the reference), OpenEXR, HDR as the file holds them.
 Image read_samples_with_oiio(const std::string& path, ImageType type);
 
 }  // namespace rb

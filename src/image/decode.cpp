@@ -24,6 +24,8 @@ Image decode(std::string_view bytes, ImageType type) {
     switch (type) {
         case ImageType::png:
             return decode_png(bytes);
+        case ImageType::jpeg:
+            return decode_jpeg(bytes);
         case ImageType::ppm:
         case ImageType::pgm:
             return decode_netpbm(bytes);
@@ -41,8 +43,7 @@ Image decode(std::string_view bytes, ImageType type) {
 }
 
 bool is_for_oiio(ImageType type) {
-    return type == ImageType::jpeg || type == ImageType::tiff || type == ImageType::exr ||
-           type == ImageType::hdr;
+    return type == ImageType::tiff || type == ImageType::exr || type == ImageType::hdr;
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace rb {
 
 /// Decodes the bytes of a file of the given type. What OpenImageIO would turn into RGB (palettes) or round
-/// (maxima other than 255 and 65535) is decoded here; it reads JPEG, TIFF, OpenEXR and HDR, from the path.
+/// (maxima other than 255 and 65535) is decoded here; it reads TIFF, OpenEXR and HDR, from the path.
 /// Throws IoError saying what is wrong with the file.
 Image decode_image(const std::string& path, ImageType type);
 
@@ -15,6 +15,7 @@ Image decode_netpbm(std::string_view bytes);  ///< P1 to P6
 Image decode_targa(std::string_view bytes);   ///< types 1, 2, 3, 9, 10, 11
 Image decode_gif(std::string_view bytes);     ///< the first picture
 Image decode_bmp(std::string_view bytes);     ///< without or with run lengths
+Image decode_jpeg(std::string_view bytes);
 Image decode_pot(std::string_view bytes);     ///< a GIF whose right half holds the low bytes
 
 /// An image without samples, after a look at whether so small a file can hold it: no more than `most_ratio`

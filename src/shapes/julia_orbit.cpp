@@ -66,18 +66,6 @@ Complex apply(JuliaFunction f, const Complex& z, const Complex& exponent) {
     return z;
 }
 
-/// The length of a hypercomplex number whose parts have these lengths.
-double pair_length(const std::array<double, 2>& parts) {
-    return std::sqrt(0.5 * (parts[0] * parts[0] + parts[1] * parts[1]));
-}
-
-/// How far f(q) may move when q, of length `size`, moves by `step`.
-double spread(JuliaFunction f, JuliaAlgebra algebra, double size, double step) {
-    if (f == JuliaFunction::cube && algebra == JuliaAlgebra::quaternion)
-        return step * (3.0 * size * (size + step) + step * step);
-    return step * (2.0 * size + step);
-}
-
 }  // namespace
 
 double JuliaFormula::radius() const {
@@ -119,70 +107,6 @@ size_t JuliaFormula::escape_step(Quaternion q) const {
 double JuliaFormula::excess(Quaternion q, size_t step) const {
     for (size_t i = 0; i < step; ++i) q = next(q);
     return glm::dot(q, q) - escape();
-}
-
-JuliaFormula::Reach JuliaFormula::reach(const Quaternion& start, double least) const {
-    // Later iterates tell more, but for very long ones.
-    constexpr double far = 1e6;
-    constexpr size_t most = 64;
-    const double limit = escape();
-    const double edge = std::sqrt(limit);
-    const bool pairs = algebra == JuliaAlgebra::hypercomplex;
-    std::array<std::array<double, 2>, most> sizes;
-    Reach out{true, std::numeric_limits<double>::infinity()};
-    Quaternion q = start;
-    std::array<double, 2> growths{pairs ? std::sqrt(2.0) : 1.0, pairs ? std::sqrt(2.0) : 0.0};
-    size_t count = 0;
-    // A guess by the linear growth, which is then proven or halved.
-    for (; count < std::min(steps, most); ++count) {
-        const double size = glm::length(q);
-        if (pairs) {
-            const Pair p = pair_of(q);
-            sizes[count] = {std::sqrt(std::norm(p.a)), std::sqrt(std::norm(p.b))};
-        } else {
-            sizes[count] = {size, 0.0};
-        }
-        const double growth = pairs ? pair_length(growths) : growths[0];
-        if (!(size * size <= limit)) {
-            const double gap = (size - edge) / growth;
-            out.distance = out.stays ? gap : std::max(out.distance, gap);
-            out.stays = false;
-        } else if (out.stays) {
-            out.distance = std::min(out.distance, (edge - size) / growth);
-        }
-        if (!(size < far)) {
-            ++count;
-            break;
-        }
-        constexpr double tiny = 1e-9;
-        for (size_t part = 0; part < 2; ++part) {
-            growths[part] *= spread(function, algebra, sizes[count][part], tiny) / tiny;
-            growths[part] = std::max(growths[part], tiny);
-        }
-        q = next(q);
-    }
-    if (steps > most && out.stays) return {stays(start), 0.0};
-    const double root2 = std::sqrt(2.0);
-    const auto proven = [&](double distance) {
-        std::array<double, 2> step{pairs ? root2 * distance : distance, pairs ? root2 * distance : 0.0};
-        for (size_t i = 0; i < count; ++i) {
-            const auto& s = sizes[i];
-            const double size = pairs ? pair_length(s) : s[0];
-            const double move = pairs ? pair_length(step) : step[0];
-            constexpr double rounding = 1e-12;
-            if (out.stays && size + move > edge * (1.0 - rounding)) return false;
-            if (!out.stays && size - move > edge * (1.0 + rounding)) return true;
-            step[0] = spread(function, algebra, s[0], step[0]);
-            if (pairs) step[1] = spread(function, algebra, s[1], step[1]);
-        }
-        return out.stays;
-    };
-    out.distance *= 0.7;
-    for (; out.distance > least; out.distance *= 0.5) {
-        if (proven(out.distance)) return out;
-    }
-    out.distance = 0.0;
-    return out;
 }
 
 Vec3 JuliaFormula::quaternion_normal(const Quaternion& start) const {

@@ -142,6 +142,42 @@ TEST(ReadImage, TypesOfOpenImageIoKeepTheirNumbers) {
     EXPECT_THROW(decode_image(temporary("bytes.tif"), ImageType::jpeg), IoError);
 }
 
+TEST(ReadImage, JpegHasTheNumbersThatOpenImageIoReads) {
+    for (const int channels : {1, 3}) {
+        const std::string path = temporary("numbers.jpg");
+        OutputFormat format;
+        format.type = FileType::jpeg;
+        write_image(rows_of(gradient(37, 21, channels)), format, path);
+        const Image ours = decode_image(path, ImageType::jpeg);
+        const Pixels theirs = read_with_oiio(path);
+        ASSERT_EQ(ours.width, theirs.width);
+        ASSERT_EQ(ours.height, theirs.height);
+        for (int y = 0; y < ours.height; ++y) {
+            for (int x = 0; x < ours.width; ++x) {
+                for (int c = 0; c < 3; ++c) {
+                    const uint16_t sample =
+                        ours.samples[ours.index(x, y) + static_cast<size_t>(std::min(c, ours.channels - 1))];
+                    ASSERT_EQ(sample, std::lround(255.0f * theirs.at(x, y)[static_cast<size_t>(c)]))
+                        << x << ' ' << y;
+                }
+            }
+        }
+    }
+}
+
+TEST(ReadImage, TruncatedJpegsAreErrors) {
+    const std::string path = temporary("whole.jpg");
+    OutputFormat format;
+    format.type = FileType::jpeg;
+    write_image(rows_of(gradient(64, 64, 3)), format, path);
+    std::ifstream in(path, std::ios::binary);
+    const std::string all(std::istreambuf_iterator<char>(in), {});
+    for (const size_t length : {size_t{0}, size_t{3}, size_t{100}, all.size() - 20}) {
+        std::ofstream(temporary("cut.jpg"), std::ios::binary) << all.substr(0, length);
+        EXPECT_THROW(decode_image(temporary("cut.jpg"), ImageType::jpeg), IoError) << length;
+    }
+}
+
 TEST(ReadImage, TruncatedFilesAreErrors) {
     const std::string path = temporary("whole.png");
     const Pixels tall = gradient(24, 64, 3);

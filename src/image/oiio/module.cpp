@@ -113,10 +113,9 @@ int kept_channels(const OIIO::ImageSpec& spec) {
 std::string read_samples(const std::string& path, ImageType type, Image& image) {
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);
-    const auto in = OIIO::ImageInput::create(std::string(type == ImageType::jpeg   ? "jpeg"
-                                                         : type == ImageType::tiff ? "tiff"
-                                                         : type == ImageType::exr  ? "openexr"
-                                                                                   : "hdr"));
+    const auto in = OIIO::ImageInput::create(std::string(type == ImageType::tiff  ? "tiff"
+                                                         : type == ImageType::exr ? "openexr"
+                                                                                  : "hdr"));
     OIIO::ImageSpec spec;
     if (!in) return OIIO::geterror();
     if (!in->open(path, spec, wish)) return in->geterror();
