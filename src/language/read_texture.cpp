@@ -63,7 +63,6 @@ void read_material_map(const Block& block, const ReadContext& context, Texture& 
 void read_patterned(BlockReader& in, TextureLayers& layers) {
     Texture texture;
     texture.where = in.block_where();
-    texture.uv_mapping = layers.front().uv_mapping;
     if (in.at_block("material_map")) {
         read_material_map(in.block("material_map"), in.context(), texture);
         Transform map;
@@ -135,6 +134,17 @@ void set_no_bump_scale(TextureLayers& layers) {
     }
 }
 
+/// What is mapped by surface coordinates is the only entry of a texture around it, whose transforms move
+/// normals alone.
+TextureLayers mapped_by_uv(TextureLayers layers) {
+    Texture mapped;
+    mapped.where = layers.front().where;
+    mapped.average = true;
+    mapped.uv_mapping = true;
+    mapped.map = {{1.0f, std::make_shared<TextureLayers>(std::move(layers))}};
+    return {std::move(mapped)};
+}
+
 }  // namespace
 
 TextureMapPtr read_texture_map(const Block& block, const ReadContext& context, bool average) {
@@ -160,11 +170,11 @@ TextureMapPtr read_texture_map(const Block& block, const ReadContext& context, b
 
 void read_texture_body(BlockReader& in, TextureLayers& layers) {
     bool changed = false;
+    const bool by_uv = in.take_word("uv_mapping");
     if (in.at_thing<TexturePtr>()) {
         layers = *in.thing<TexturePtr>();
         changed = true;
     }
-    if (!changed && in.take_word("uv_mapping")) layers.front().uv_mapping = true;
     const bool plain = !layers.back().is_patterned();
     while (!in.at_end()) {
         Transform map;
@@ -183,6 +193,7 @@ void read_texture_body(BlockReader& in, TextureLayers& layers) {
     if (!changed && (at_pattern(in) || in.at_block("tiles") || in.at_block("material_map"))) {
         read_patterned(in, layers);
     }
+    if (by_uv) layers = mapped_by_uv(std::move(layers));
 }
 
 TexturePtr read_texture(const Block& block, const ReadContext& context) {

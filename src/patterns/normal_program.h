@@ -13,7 +13,6 @@ public:
 
     bool needs_surface() const;
     bool keeps_length() const { return keeps_length_; }
-    bool uv_mapping() const { return uv_mapping_; }
     /// Perturbs `normals` in place. With no_bump_scale they are not unit length afterwards.
     void perturb(const PatternSamples& samples, std::span<Vec3> normals) const;
 

@@ -28,12 +28,11 @@ PatternModifiers transformed(const PatternModifiers& modifiers, const Transform&
 
 Texture transformed(const Texture& texture, const Transform& map) {
     Texture out = texture;
-    // What is mapped by surface coordinates does not move with the object.
     if (texture.is_patterned()) {
-        if (texture.uv_mapping) return out;
         out.modifiers = transformed(texture.modifiers, map);
         return out;
     }
+    // What is mapped by surface coordinates does not move with the object.
     if (texture.pigment && !texture.pigment->uv_mapping &&
         !std::holds_alternative<Color>(texture.pigment->source)) {
         auto pigment = std::make_shared<Pigment>(*texture.pigment);

@@ -55,8 +55,7 @@ Rgb texture_filter(const TextureProgram& texture, const PatternSamples& place,
     if (texture.is_patterned()) {
         const TextureMapProgram& map = *texture.map;
         Scratch::Scope memory(thread_scratch());
-        const auto points = map.uv_mapping ? uv_points(place, memory) : place.points;
-        const PatternSamples moved = place.at(carried(map.field, points, memory));
+        const PatternSamples moved = map.moved(place, memory);
         const auto of = [&](size_t k) {
             return texture_filter(map.children[k], moved, transform, normal, light_direction, caustics);
         };

@@ -69,10 +69,7 @@ void SurfaceShader::shade_children(const TextureProgram& texture, const Rows& ro
     const TextureMapProgram& map = *texture.map;
     const SurfaceSamples surface = state_.samples();
     const PatternSamples samples{rows.points, &surface, rows.hits};
-    const auto points = map.uv_mapping ? uv_points(samples, memory) : rows.points;
-    // What is mapped by surface coordinates does not follow what is around it.
-    if (map.uv_mapping) enclosing = {};
-    const PatternSamples moved = samples.at(carried(map.field, points, memory));
+    const PatternSamples moved = map.moved(samples, memory);
     const auto chains = memory.take<std::span<const Warp>>(enclosing.size() + 1, std::span<const Warp>{});
     std::copy(enclosing.begin(), enclosing.end(), chains.begin());
     chains[enclosing.size()] = map.field.modifiers().warps;
@@ -146,7 +143,6 @@ void SurfaceShader::normals_of(const LayerProgram& layer, const PatternSamples& 
                                std::span<const uint32_t> hits, Chains enclosing, std::span<Vec3> normals) {
     for (size_t i = 0; i < hits.size(); ++i) normals[i] = state_.hits[hits[i]].normal;
     if (!layer.normal) return;
-    if (layer.normal->uv_mapping()) enclosing = {};
     const bool unit_length = !layer.normal->keeps_length();
     for (const auto& chain : enclosing) normals_into(chain, unit_length, normals);
     layer.normal->perturb(samples, normals);

@@ -1,5 +1,6 @@
 #pragma once
 #include "compile/world.h"
+#include "patterns/blend.h"
 #include "patterns/normal_program.h"
 #include "patterns/pigment_program.h"
 #include "shade/power.h"
@@ -86,6 +87,12 @@ struct TextureMapProgram {
     PatternField field;
     MapPositions positions;
     std::vector<TextureProgram> children;
+
+    /// The places at which the children are asked; new points live in `memory`. With uv_mapping those are the
+    /// surface's coordinates, and `field` carries only normals.
+    PatternSamples moved(const PatternSamples& samples, Scratch::Scope& memory) const {
+        return samples.at(uv_mapping ? uv_points(samples, memory) : carried(field, samples.points, memory));
+    }
 };
 
 }  // namespace rb
