@@ -132,7 +132,10 @@ IrradianceRecord CachedLight::record_of(const IndirectPlace& place, int depth,
     // Where everything would change over a distance no record is good for more.
     const double change = record.translation.steepness();
     const double steady = change > 0.0 ? grey(gathered.mean) / change : gathered.distance;
-    record.radius = std::clamp(std::min(gathered.distance, steady), quality.minimum_radius * scale,
+    // Nor does one reach farther than half way to what is nearest: at corners it would say what its own view
+    // is.
+    const double near = 0.5 * gathered.nearest / quality.bounds[static_cast<size_t>(depth)];
+    record.radius = std::clamp(std::min({gathered.distance, steady, near}), quality.minimum_radius * scale,
                                quality.maximum_radius * scale);
     return record;
 }

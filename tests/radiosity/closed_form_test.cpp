@@ -89,6 +89,27 @@ TEST_P(ClosedForm, PerpendicularSquares) {
     EXPECT_NEAR(mean(film), 0.2000, 0.003);
 }
 
+/// A floor at the foot of a black wall with a bright band high above, without end: what is seen of the band
+/// comes to nothing at the wall. Records from the open may not tell what it is there.
+TEST_P(ClosedForm, FootOfAWall) {
+    const Film film =
+        film_of("count 400 error_bound 2 minimum_reuse 0.001 maximum_reuse 0.5 recursion_limit 1",
+                "camera { orthographic location <1, 0, -20> direction z right 2*x up 2*y }\n"
+                "plane { z, 0 pigment { rgb 1 } }\n"
+                "#default { pigment { rgb 0 } finish { diffuse 0 } }\n"
+                "box { <-1, -1e3, -1e3>, <0, 1e3, 0> }\n"
+                "box { <-1, -1e3, -2>, <1e-4, 1e3, -1> pigment { rgb 1 } finish { emission 1 } no_image }");
+    double square = 0;
+    for (int y = 0; y < film.height; ++y) {
+        for (int x = 0; x < film.width; ++x) {
+            const double d = (x + 0.5) * 2.0 / film.width;
+            const double expected = 0.5 * d * (1.0 / std::hypot(d, 1.0) - 1.0 / std::hypot(d, 2.0));
+            square += std::pow(static_cast<double>(film.at(x, y).rgb.x) - expected, 2);
+        }
+    }
+    EXPECT_LT(std::sqrt(square / (film.width * film.height)), 0.005);
+}
+
 /// Diffuse light in a closed sphere is the same everywhere: a geometric series of its bounces.
 TEST_P(ClosedForm, Furnace) {
     for (const int bounces : {1, 2, 3}) {
