@@ -36,6 +36,8 @@ public:
     double error_estimate() const;
 
 private:
+    void fill(std::span<const IndirectPlace> places, std::span<const uint32_t> gaps, int depth,
+              std::span<Rgb> mean) const;
     void compare(std::span<const IrradianceRecord> records);
     const SurfelGrid* surfels_at(int depth) const;
     IrradianceRecord record_of(const IndirectPlace& place, int depth, const Gathered& gathered) const;
@@ -48,6 +50,7 @@ private:
     Vec3 eye_;
     std::vector<IrradianceCache> caches_;  ///< by depth
     std::vector<SurfelGrid> surfels_;
+    Outlooks outlooks_;  ///< of places seen by the eye
     std::vector<size_t> surfel_counts_;
     double error_squares_ = 0;
     size_t compared_ = 0;

@@ -1,8 +1,7 @@
 #pragma once
 #include "radiosity/gather_quality.h"
 #include "radiosity/gradient.h"
-#include "radiosity/hemisphere.h"
-#include "shade/ray_stream.h"
+#include "radiosity/outlook.h"
 
 #include <atomic>
 
@@ -25,8 +24,10 @@ struct GatherTask {
     const HemisphereGrid* grid = nullptr;
     const IndirectLight* next = nullptr;  ///< asked by what the rays meet; null at the last bounce
     bool gradients = false;
-    const SurfelLight* known = nullptr;    ///< what the rays need not shade; may be null
-    std::vector<Surfel>* fresh = nullptr;  ///< takes what they shaded; may be null
+    const SurfelLight* known = nullptr;     ///< what the rays need not shade; may be null
+    std::vector<Surfel>* fresh = nullptr;   ///< takes what they shaded; may be null
+    const Outlooks* outlooks = nullptr;     ///< say where more than one ray of a cell is needed; may be null
+    std::vector<Outlook>* views = nullptr;  ///< takes those that they lack; may be null
 };
 
 /// Gathers light at places by rays over the hemisphere.
