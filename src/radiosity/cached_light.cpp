@@ -5,6 +5,7 @@
 #include "math/random.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -161,6 +162,34 @@ IrradianceRecord CachedLight::record_of(const IndirectPlace& place, int depth,
     record.radius = std::clamp(std::min({gathered.distance, steady, near}), quality.minimum_radius * scale,
                                quality.maximum_radius * scale);
     return record;
+}
+
+uint64_t CachedLight::made_for() const {
+    const GatherQuality& quality = rays_.quality();
+    uint64_t hash = rays_.scene_hash();
+    for (const int rays : quality.rays) hash = mixed(hash, static_cast<uint64_t>(rays));
+    for (const double x : quality.bounds) hash = mixed(hash, std::bit_cast<uint64_t>(x));
+    for (const double x : {quality.minimum_radius, quality.maximum_radius})
+        hash = mixed(hash, std::bit_cast<uint64_t>(x));
+    return mixed(hash, surfels_.size());
+}
+
+StoredLight CachedLight::stored() const {
+    StoredLight light{made_for(), {}, {}, outlooks_.all()};
+    for (const IrradianceCache& cache : caches_) light.records.push_back(cache.records());
+    for (const SurfelGrid& grid : surfels_) light.surfels.push_back(grid.cells());
+    return light;
+}
+
+bool CachedLight::restore(const StoredLight& light) {
+    if (light.made_for != made_for()) return false;
+    if (light.records.size() != caches_.size() || light.surfels.size() != surfels_.size()) return false;
+    for (size_t depth = 0; depth < caches_.size(); ++depth) {
+        for (const IrradianceRecord& record : light.records[depth]) caches_[depth].insert(record);
+    }
+    for (size_t depth = 0; depth < surfels_.size(); ++depth) surfels_[depth].restore(light.surfels[depth]);
+    outlooks_ = Outlooks(light.outlooks);
+    return true;
 }
 
 void PlaceCollector::gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const {

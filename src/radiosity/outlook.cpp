@@ -45,7 +45,7 @@ Outlook::Outlook(const Vec3& point, const Hemisphere& hemisphere, std::span<cons
     for (size_t k = 0; k < light.size(); ++k) {
         if (light[k].distance == 0.0) continue;
         spots_.push_back(
-            {hemisphere.direction(k), static_cast<float>(light[k].distance), grey(light[k].rgb)});
+            {Vec3f(hemisphere.direction(k)), static_cast<float>(light[k].distance), grey(light[k].rgb)});
         inverse_distances += 1.0 / light[k].distance;
         light_by_distance += static_cast<double>(spots_.back().light) / light[k].distance;
         sum += static_cast<double>(spots_.back().light);
@@ -71,8 +71,8 @@ void Outlook::count_rays(const Vec3& point, const Hemisphere& hemisphere, std::s
     const Vec3 way = point_ - point;
     for (const Spot& spot : spots_) {
         const Vec3 seen = std::isfinite(spot.distance)
-                              ? glm::normalize(way + double{spot.distance} * spot.direction)
-                              : spot.direction;
+                              ? glm::normalize(way + double{spot.distance} * Vec3(spot.direction))
+                              : Vec3(spot.direction);
         if (const auto cell = hemisphere.cell_of(seen)) tallies[*cell].add(spot.light);
     }
     const int sectors = grid.sectors();

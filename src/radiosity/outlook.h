@@ -10,6 +10,7 @@ namespace rb {
 /// What a gather saw, kept to tell gathers near by where to look more closely.
 class Outlook {
 public:
+    Outlook() = default;
     /// `light`: by cell of the hemisphere; distance 0 where nothing was sent.
     Outlook(const Vec3& point, const Hemisphere& hemisphere, std::span<const GatheredLight> light);
 
@@ -26,15 +27,19 @@ public:
     void count_rays(const Vec3& point, const Hemisphere& hemisphere, std::span<uint8_t> rays) const;
 
 private:
+    /// Reads and writes the fields (see light_file.h).
+    template <class File>
+    friend struct LightFields;
+
     /// What one cell met.
     struct Spot {
-        Vec3 direction{0.0};
+        Vec3f direction{0.0f};
         float distance = 0;
         float light = 0;
     };
 
-    Vec3 point_;
-    Vec3 normal_;
+    Vec3 point_{0.0};
+    Vec3 normal_{0.0};
     double reach_ = 0;  ///< what is seen from other places is the same as far as that
     float mean_ = 0;
     float brightest_ = 0;
@@ -44,6 +49,9 @@ private:
 /// Outlooks all over a scene, none near another. Lookups may run at once, but not together with insert().
 class Outlooks {
 public:
+    Outlooks() = default;
+    explicit Outlooks(std::vector<Outlook> outlooks) : outlooks_(std::move(outlooks)) {}
+
     /// The one that tells most of a place; null if none tells anything.
     const Outlook* nearest(const Vec3& point, const Vec3& normal) const;
 
@@ -52,6 +60,9 @@ public:
 
     /// If they lack it.
     void insert(Outlook outlook);
+
+    /// In the order in which they came.
+    const std::vector<Outlook>& all() const { return outlooks_; }
 
 private:
     std::vector<Outlook> outlooks_;

@@ -99,6 +99,10 @@ RayGather::RayGather(const World& world, const ShadingOptions& options, double e
     for (const int rays : quality_.rays) grids_.emplace_back(rays);
 }
 
+uint64_t RayGather::scene_hash() const {
+    return mixed(mixed(program_.leaf_surfaces.size(), program_.looks.size()), program_.textures.size());
+}
+
 Rgb RayGather::limited(const Rgb& light) const {
     const float brightest = std::max({light.x, light.y, light.z});
     const float limit = settings().max_sample;

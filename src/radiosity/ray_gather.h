@@ -51,6 +51,9 @@ public:
     /// Safe to call from many threads.
     void gather(std::span<const IndirectPlace> places, const GatherTask& task, std::span<Gathered> out) const;
 
+    /// Tells scenes apart by how many surfaces and looks they have.
+    uint64_t scene_hash() const;
+
     uint64_t gather_count() const { return gathers_.load(); }
     uint64_t ray_count() const { return rays_.load(); }
     uint64_t shadow_ray_count() const { return shadow_rays_.load(); }
