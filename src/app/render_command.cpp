@@ -61,6 +61,8 @@ RenderOptions render_options(const Settings& settings) {
     options.shading.alpha_output = settings.alpha;
     options.shading.area_lights = settings.area_lights;
     options.gi = settings.gi;
+    if (settings.radiosity_from_file) options.radiosity_files.load = settings.radiosity_file;
+    if (settings.radiosity_to_file) options.radiosity_files.save = settings.radiosity_file;
     options.gi_error = settings.gi_error;
     return options;
 }

@@ -95,6 +95,9 @@ struct Settings {
     uint64_t seed = 0;
     AreaLightMode area_lights = AreaLightMode::as_written;
     GiMode gi = GiMode::automatic;
+    std::string radiosity_file = "object.rca";
+    bool radiosity_from_file = false;
+    bool radiosity_to_file = false;
     double gi_error = 0;  ///< in shares of white; 0: as radiosity{} says
     bool skip_unneeded = true;
     bool brute_force = false;

@@ -38,10 +38,13 @@ std::string radiosity_text(const std::optional<RadiosityReport>& report) {
     const auto sum = [](const std::vector<size_t>& parts) {
         return std::accumulate(parts.begin(), parts.end(), size_t{0});
     };
+    const uint64_t asked = report->interpolations + report->gaps[0] + report->gaps[1];
+    const double share =
+        asked == 0 ? 0.0 : 100.0 * static_cast<double>(report->interpolations) / static_cast<double>(asked);
     return fmt::format("Gathers:      {:>12}  by {} rays, {} shadow rays\n", report->gathers, report->rays,
                        report->shadow_rays) +
-           fmt::format("Interpolations:{:>11}  from {} records; error where not trusted {:.4f}\n",
-                       report->interpolations, sum(report->records), report->error_estimate) +
+           fmt::format("Interpolations:{:>11}  ({:.1f} %) from {} records; error where not trusted {:.4f}\n",
+                       report->interpolations, share, sum(report->records), report->error_estimate) +
            fmt::format("Surfels:      {:>12}  in {} cells, {} bytes\n", sum(report->surfels),
                        sum(report->cells), report->surfel_bytes);
 }

@@ -1,9 +1,11 @@
 #include "radiosity/cached_light.h"
 
 #include "base/parallel.h"
+#include "base/scratch.h"
 #include "math/random.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -39,24 +41,37 @@ const IndirectLight* CachedLight::next(int depth) const {
 void CachedLight::gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const {
     const IrradianceCache& cache = caches_[static_cast<size_t>(depth)];
     const bool fills_gaps = rays_.settings().always_sample && depth == 0;
-    uint64_t interpolated = 0;
+    Scratch::Scope memory(thread_scratch());
+    const auto gaps = memory.take<uint32_t>(places.size());
+    size_t gap_count = 0;
     for (size_t i = 0; i < places.size(); ++i) {
         const auto found = cache.look_up(places[i].point, places[i].normal);
         if (fills_gaps ? is_enough(found.weight) : found.weight > 0.0) {
             mean[i] = found.mean;
-            ++interpolated;
-            continue;
+        } else {
+            gaps[gap_count++] = static_cast<uint32_t>(i);
         }
-        Gathered fresh;
-        // One pixel's noise shows less than a record's: the directions of the next bounce are enough.
-        const int next_depth = std::min(1, rays_.settings().recursion_limit - 1);
-        const HemisphereGrid& grid = depth == 0 ? rays_.grid_at(next_depth) : rays_.coarse_grid();
-        rays_.gather(places.subspan(i, 1), {depth, &grid, next(depth), false, surfels_at(depth)},
-                     {&fresh, 1});
-        gaps_[depth == 0 ? 0 : 1].fetch_add(1, std::memory_order_relaxed);
-        mean[i] = fresh.mean;
     }
-    interpolations_.fetch_add(interpolated, std::memory_order_relaxed);
+    fill(places, gaps.first(gap_count), depth, mean);
+    interpolations_.fetch_add(places.size() - gap_count, std::memory_order_relaxed);
+    gaps_[depth == 0 ? 0 : 1].fetch_add(gap_count, std::memory_order_relaxed);
+}
+
+/// Gathers at those of the places that are not known.
+void CachedLight::fill(std::span<const IndirectPlace> places, std::span<const uint32_t> gaps, int depth,
+                       std::span<Rgb> mean) const {
+    if (gaps.empty()) return;
+    // One pixel's noise shows less than a record's: the directions of the next bounce are enough.
+    const int next_depth = std::min(1, rays_.settings().recursion_limit - 1);
+    const HemisphereGrid& grid = depth == 0 ? rays_.grid_at(next_depth) : rays_.coarse_grid();
+    GatherTask task{depth, &grid, next(depth), false, surfels_at(depth)};
+    if (depth == 0) task.outlooks = &outlooks_;
+    Scratch::Scope memory(thread_scratch());
+    const auto unknown = memory.take<IndirectPlace>(gaps.size());
+    const auto fresh = memory.take<Gathered>(gaps.size(), Gathered{});
+    for (size_t k = 0; k < gaps.size(); ++k) unknown[k] = places[gaps[k]];
+    rays_.gather(unknown, task, fresh);
+    for (size_t k = 0; k < gaps.size(); ++k) mean[gaps[k]] = fresh[k].mean;
 }
 
 bool CachedLight::is_enough(double weight) const { return 4.0 * weight >= rays_.settings().nearest_count; }
@@ -78,6 +93,8 @@ void CachedLight::learn(std::span<const IndirectPlace> places, int depth, int th
         for (; i < order.size() && unknown.size() < together; ++i) {
             if (!knows(places[order[i]], depth)) unknown.push_back(places[order[i]]);
         }
+        // The first look around, lest the records that reach farthest are those that nothing has guided.
+        if (depth == 0 && cache.size() == 0) gathered(unknown, depth, threads, stop);
         const auto records = gathered(unknown, depth, threads, stop);
         if (depth == 0) compare(records);
         for (const IrradianceRecord& record : records) cache.insert(record);
@@ -104,10 +121,14 @@ std::vector<IrradianceRecord> CachedLight::gathered(std::span<const IndirectPlac
     constexpr size_t chunk = 8;
     std::vector<IrradianceRecord> records(places.size());
     std::vector<std::vector<Surfel>> fresh((places.size() + chunk - 1) / chunk);
+    std::vector<std::vector<Outlook>> views(fresh.size());
     parallel_for(fresh.size(), threads, stop, [&](size_t c) {
         const auto some = places.subspan(c * chunk, std::min(chunk, places.size() - c * chunk));
         GatherTask task{depth, &rays_.grid_at(depth), next(depth), true, surfels_at(depth)};
         if (task.known) task.fresh = &fresh[c];
+        // Later bounces gain nothing: the gathers that ask them even out their noise.
+        if (depth == 0) task.outlooks = &outlooks_;
+        if (depth == 0) task.views = &views[c];
         std::array<Gathered, chunk> found;
         rays_.gather(some, task, std::span(found).first(some.size()));
         for (size_t i = 0; i < some.size(); ++i) records[c * chunk + i] = record_of(some[i], depth, found[i]);
@@ -115,6 +136,9 @@ std::vector<IrradianceRecord> CachedLight::gathered(std::span<const IndirectPlac
     for (const auto& some : fresh) {
         for (const Surfel& surfel : some) surfels_[static_cast<size_t>(depth)].insert(surfel);
         surfel_counts_[static_cast<size_t>(depth)] += some.size();
+    }
+    for (auto& some : views) {
+        for (Outlook& view : some) outlooks_.insert(std::move(view));
     }
     return records;
 }
@@ -132,9 +156,40 @@ IrradianceRecord CachedLight::record_of(const IndirectPlace& place, int depth,
     // Where everything would change over a distance no record is good for more.
     const double change = record.translation.steepness();
     const double steady = change > 0.0 ? grey(gathered.mean) / change : gathered.distance;
-    record.radius = std::clamp(std::min(gathered.distance, steady), quality.minimum_radius * scale,
+    // Nor does one reach farther than half way to what is nearest: at corners it would say what its own view
+    // is.
+    const double near = 0.5 * gathered.nearest / quality.bounds[static_cast<size_t>(depth)];
+    record.radius = std::clamp(std::min({gathered.distance, steady, near}), quality.minimum_radius * scale,
                                quality.maximum_radius * scale);
     return record;
+}
+
+uint64_t CachedLight::made_for() const {
+    const GatherQuality& quality = rays_.quality();
+    uint64_t hash = rays_.scene_hash();
+    for (const int rays : quality.rays) hash = mixed(hash, static_cast<uint64_t>(rays));
+    for (const double x : quality.bounds) hash = mixed(hash, std::bit_cast<uint64_t>(x));
+    for (const double x : {quality.minimum_radius, quality.maximum_radius})
+        hash = mixed(hash, std::bit_cast<uint64_t>(x));
+    return mixed(hash, surfels_.size());
+}
+
+StoredLight CachedLight::stored() const {
+    StoredLight light{made_for(), {}, {}, outlooks_.all()};
+    for (const IrradianceCache& cache : caches_) light.records.push_back(cache.records());
+    for (const SurfelGrid& grid : surfels_) light.surfels.push_back(grid.cells());
+    return light;
+}
+
+bool CachedLight::restore(const StoredLight& light) {
+    if (light.made_for != made_for()) return false;
+    if (light.records.size() != caches_.size() || light.surfels.size() != surfels_.size()) return false;
+    for (size_t depth = 0; depth < caches_.size(); ++depth) {
+        for (const IrradianceRecord& record : light.records[depth]) caches_[depth].insert(record);
+    }
+    for (size_t depth = 0; depth < surfels_.size(); ++depth) surfels_[depth].restore(light.surfels[depth]);
+    outlooks_ = Outlooks(light.outlooks);
+    return true;
 }
 
 void PlaceCollector::gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const {

@@ -1,5 +1,5 @@
 #pragma once
-#include "radiosity/irradiance_cache.h"
+#include "radiosity/light_file.h"
 #include "radiosity/ray_gather.h"
 #include "radiosity/surfel_grid.h"
 
@@ -22,6 +22,12 @@ public:
     /// Gathers at places that are not known yet, in an order that depends on their number only.
     void learn(std::span<const IndirectPlace> places, int depth, int threads, const std::atomic<bool>& stop);
 
+    /// All that it has learned.
+    StoredLight stored() const;
+    /// Puts it in before anything is learned; false if that was learned of another scene (by its numbers of
+    /// surfaces) or with other settings.
+    bool restore(const StoredLight& light);
+
     /// Places so far at which nothing was known: those seen by the eye, and those seen by gathers.
     std::array<uint64_t, 2> gap_counts() const { return {gaps_[0].load(), gaps_[1].load()}; }
     size_t record_count(int depth) const { return caches_[static_cast<size_t>(depth)].size(); }
@@ -36,6 +42,9 @@ public:
     double error_estimate() const;
 
 private:
+    void fill(std::span<const IndirectPlace> places, std::span<const uint32_t> gaps, int depth,
+              std::span<Rgb> mean) const;
+    uint64_t made_for() const;
     void compare(std::span<const IrradianceRecord> records);
     const SurfelGrid* surfels_at(int depth) const;
     IrradianceRecord record_of(const IndirectPlace& place, int depth, const Gathered& gathered) const;
@@ -48,6 +57,7 @@ private:
     Vec3 eye_;
     std::vector<IrradianceCache> caches_;  ///< by depth
     std::vector<SurfelGrid> surfels_;
+    Outlooks outlooks_;  ///< of places seen by the eye
     std::vector<size_t> surfel_counts_;
     double error_squares_ = 0;
     size_t compared_ = 0;

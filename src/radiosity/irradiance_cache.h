@@ -31,6 +31,8 @@ public:
     };
     Found look_up(const Vec3& point, const Vec3& normal) const;
 
+    /// In the order in which they came.
+    const std::vector<IrradianceRecord>& records() const { return records_; }
     size_t size() const { return records_.size(); }
 
 private:

@@ -53,8 +53,25 @@ RadiosityReport Radiosity::report() const {
 }
 
 void Radiosity::prepare(const PictureSurvey& survey, int longer_side, int threads,
-                        const std::atomic<bool>& stop) {
+                        const std::atomic<bool>& stop, const RadiosityFiles& files) {
     if (!cached_) return;
+    if (!files.load.empty()) load(files.load);
+    if (files.load.empty() || !files.save.empty()) learn(survey, longer_side, threads, stop);
+    if (files.save.empty() || stop.load(std::memory_order_relaxed)) return;
+    const std::string problem = write_light(files.save, cached_->stored());
+    if (!problem.empty()) throw SceneError(SourceRange{}, problem);
+}
+
+void Radiosity::load(const std::string& path) {
+    StoredLight light;
+    std::string problem = read_light(path, light);
+    if (problem.empty() && !cached_->restore(light))
+        problem = "The radiosity file " + path + " was made for another scene or with other settings.";
+    if (!problem.empty()) throw SceneError(SourceRange{}, problem);
+}
+
+void Radiosity::learn(const PictureSurvey& survey, int longer_side, int threads,
+                      const std::atomic<bool>& stop) {
     constexpr int finest = 2;
     const double widest = rays_.settings().pretrace_start * longer_side;
     const int first = std::max(finest, static_cast<int>(widest));

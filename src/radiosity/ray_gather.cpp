@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace rb {
@@ -21,6 +22,12 @@ StreamState& state_at(int depth) {
     if (states.size() <= index) states.resize(index + 1);
     if (!states[index]) states[index] = std::make_unique<StreamState>();
     return *states[index];
+}
+
+/// The noise of very many rays is small, and what they saw would take much memory.
+bool uses_outlooks(const GatherTask& task) {
+    constexpr size_t most_cells = 4096;
+    return task.outlooks && task.grid->size() <= most_cells;
 }
 
 /// Rays of a gather whose error hardly shows.
@@ -92,6 +99,10 @@ RayGather::RayGather(const World& world, const ShadingOptions& options, double e
     for (const int rays : quality_.rays) grids_.emplace_back(rays);
 }
 
+uint64_t RayGather::scene_hash() const {
+    return mixed(mixed(program_.leaf_surfaces.size(), program_.looks.size()), program_.textures.size());
+}
+
 Rgb RayGather::limited(const Rgb& light) const {
     const float brightest = std::max({light.x, light.y, light.z});
     const float limit = settings().max_sample;
@@ -105,29 +116,72 @@ Rgb RayGather::toned(const Rgb& mean) const {
 
 /// The rays of a few places, and what they bring.
 struct RayGather::Batch {
-    Batch(std::span<const IndirectPlace> places, const HemisphereGrid& grid, Scratch::Scope& memory)
-        : hemispheres(memory.take<Hemisphere>(places.size())),
-          rays(memory.take<GatherRay>(places.size() * grid.size())),
-          cell_of_ray(memory.take<uint32_t>(places.size() * grid.size())),
-          light(memory.take<GatheredLight>(places.size() * grid.size(), GatheredLight{})) {
+    Batch(std::span<const IndirectPlace> places, const GatherTask& task, Scratch::Scope& memory)
+        : places_(places),
+          hemispheres(memory.take<Hemisphere>(places.size())),
+          ray_counts(memory.take<uint8_t>(places.size() * task.grid->size(), uint8_t{1})),
+          light(memory.take<GatheredLight>(ray_counts.size(), GatheredLight{})) {
         for (size_t i = 0; i < places.size(); ++i) {
-            const IndirectPlace& place = places[i];
-            hemispheres[i] = Hemisphere(grid, place.normal, place.seed);
-            for (size_t k = 0; k < grid.size(); ++k) {
-                const Vec3 direction = hemispheres[i].direction(k);
+            hemispheres[i] = Hemisphere(*task.grid, places[i].normal, places[i].seed);
+            if (!uses_outlooks(task)) continue;
+            if (const Outlook* outlook = task.outlooks->nearest(places[i].point, places[i].normal))
+                outlook->count_rays(places[i].point, hemispheres[i], of(ray_counts, i));
+        }
+        const size_t most = std::accumulate(ray_counts.begin(), ray_counts.end(), size_t{0});
+        rays = memory.take<GatherRay>(most);
+        cell_of_ray = memory.take<uint32_t>(most);
+        for (size_t i = 0; i < places.size(); ++i) add_rays(i);
+    }
+
+    /// The cells of one place.
+    template <class T>
+    std::span<T> of(std::span<T> by_cell, size_t place) const {
+        const size_t cells = by_cell.size() / places_.size();
+        return by_cell.subspan(place * cells, cells);
+    }
+
+    /// Means over the rays of each cell.
+    void take(std::span<const GatheredLight> found) {
+        for (size_t i = 0; i < found.size();) {
+            const size_t begin = i;
+            Rgb sum(0.0f);
+            double inverse_distances = 0;
+            for (; i < found.size() && cell_of_ray[i] == cell_of_ray[begin]; ++i) {
+                sum += found[i].rgb;
+                inverse_distances += 1.0 / found[i].distance;
+            }
+            const auto count = static_cast<double>(i - begin);
+            light[cell_of_ray[begin]] = {sum / static_cast<float>(count), count / inverse_distances};
+        }
+    }
+
+private:
+    void add_rays(size_t i) {
+        const IndirectPlace& place = places_[i];
+        const auto counts = of(ray_counts, i);
+        uint64_t purpose = 2;
+        for (size_t k = 0; k < counts.size(); ++k) {
+            for (int number = 0; number < counts[k]; ++number) {
+                const Vec3 direction =
+                    number == 0 ? hemispheres[i].direction(k) : hemispheres[i].further(k, number);
+                ++purpose;
                 if (!(glm::dot(direction, place.surface) > 0.0)) continue;
-                cell_of_ray[ray_count] = static_cast<uint32_t>(i * grid.size() + k);
+                cell_of_ray[ray_count] = static_cast<uint32_t>(i * counts.size() + k);
                 rays[ray_count++] = {
-                    {place.point, direction}, place.leaf, place.part, place.member, place.error,
-                    mixed(place.seed, 2 + k)};
+                    {place.point, direction},  place.leaf, place.part, place.member, place.error,
+                    mixed(place.seed, purpose)};
             }
         }
     }
 
+    std::span<const IndirectPlace> places_;
+
+public:
     std::span<Hemisphere> hemispheres;
+    std::span<uint8_t> ray_counts;   ///< by cell of all places
+    std::span<GatheredLight> light;  ///< likewise; distance 0 where nothing was sent
     std::span<GatherRay> rays;
-    std::span<uint32_t> cell_of_ray;  ///< among the cells of all places
-    std::span<GatheredLight> light;   ///< by cell; distance 0 where nothing was sent
+    std::span<uint32_t> cell_of_ray;
     size_t ray_count = 0;
 };
 
@@ -139,11 +193,14 @@ void RayGather::gather(std::span<const IndirectPlace> places, const GatherTask& 
     for (size_t begin = 0; begin < places.size(); begin += together) {
         Scratch::Scope memory(thread_scratch());
         const auto some = places.subspan(begin, std::min(together, places.size() - begin));
-        Batch batch(some, grid, memory);
+        Batch batch(some, task, memory);
         trace(batch, task);
         for (size_t i = 0; i < some.size(); ++i) {
-            const auto light = batch.light.subspan(i * grid.size(), grid.size());
+            const auto light = batch.of(batch.light, i);
             out[begin + i] = summed({batch.hemispheres[i], light}, task.gradients);
+            if (!task.views || !uses_outlooks(task)) continue;
+            Outlook view(some[i].point, batch.hemispheres[i], light);
+            if (task.outlooks->lack(view)) task.views->push_back(std::move(view));
         }
     }
 }
@@ -162,9 +219,8 @@ void RayGather::trace(Batch& batch, const GatherTask& task) const {
     RayStream(program_, state)
         .gather(batch.rays.first(batch.ray_count), depth, task.known && clear_air ? &surfels : nullptr,
                 found);
-    for (size_t i = 0; i < batch.ray_count; ++i) {
-        batch.light[batch.cell_of_ray[i]] = {limited(found[i].rgb), found[i].distance};
-    }
+    for (GatheredLight& light : found) light.rgb = limited(light.rgb);
+    batch.take(found);
     rays_.fetch_add(batch.ray_count, std::memory_order_relaxed);
     shadow_rays_.fetch_add(state.counters.shadow, std::memory_order_relaxed);
 }

@@ -1,8 +1,7 @@
 #pragma once
 #include "radiosity/gather_quality.h"
 #include "radiosity/gradient.h"
-#include "radiosity/hemisphere.h"
-#include "shade/ray_stream.h"
+#include "radiosity/outlook.h"
 
 #include <atomic>
 
@@ -25,8 +24,10 @@ struct GatherTask {
     const HemisphereGrid* grid = nullptr;
     const IndirectLight* next = nullptr;  ///< asked by what the rays meet; null at the last bounce
     bool gradients = false;
-    const SurfelLight* known = nullptr;    ///< what the rays need not shade; may be null
-    std::vector<Surfel>* fresh = nullptr;  ///< takes what they shaded; may be null
+    const SurfelLight* known = nullptr;     ///< what the rays need not shade; may be null
+    std::vector<Surfel>* fresh = nullptr;   ///< takes what they shaded; may be null
+    const Outlooks* outlooks = nullptr;     ///< say where more than one ray of a cell is needed; may be null
+    std::vector<Outlook>* views = nullptr;  ///< takes those that they lack; may be null
 };
 
 /// Gathers light at places by rays over the hemisphere.
@@ -49,6 +50,9 @@ public:
 
     /// Safe to call from many threads.
     void gather(std::span<const IndirectPlace> places, const GatherTask& task, std::span<Gathered> out) const;
+
+    /// Tells scenes apart by how many surfaces and looks they have.
+    uint64_t scene_hash() const;
 
     uint64_t gather_count() const { return gathers_.load(); }
     uint64_t ray_count() const { return rays_.load(); }

@@ -68,6 +68,23 @@ void SurfelGrid::insert(const Surfel& surfel) {
     }
 }
 
+std::vector<SurfelGrid::Cell> SurfelGrid::cells() const {
+    std::vector<Cell> used;
+    used.reserve(count_);
+    for (const Cell& cell : cells_) {
+        if (cell.state != State::empty) used.push_back(cell);
+    }
+    return used;
+}
+
+void SurfelGrid::restore(std::span<const Cell> cells) {
+    for (const Cell& cell : cells) {
+        if (2 * (count_ + 1) > cells_.size()) grow();
+        cells_[slot_of(cell.key)] = cell;
+        ++count_;
+    }
+}
+
 void SurfelGrid::grow() {
     constexpr size_t fewest = 1024;
     std::vector<Cell> old(std::max(fewest, 2 * cells_.size()));

@@ -2,6 +2,7 @@
 #include "shade/surfel.h"
 
 #include <cstdint>
+#include <span>
 
 namespace rb {
 
@@ -16,10 +17,6 @@ public:
     bool find(const Surfel& surfel, Rgb& light) const override;
     void insert(const Surfel& surfel);
 
-    size_t cell_count() const { return count_; }
-    size_t byte_count() const { return cells_.size() * sizeof(Cell); }
-
-private:
     /// What tells a cell from others: a hash, of which two cells have the same once in 2^63.
     using Key = uint64_t;
     enum class State : uint32_t { empty, one, known, uneven };
@@ -28,6 +25,14 @@ private:
         Rgb light{0.0f};  ///< of one surfel, or the mean of two
         State state = State::empty;
     };
+    /// Those that hold surfels, and a grid of them again.
+    std::vector<Cell> cells() const;
+    void restore(std::span<const Cell> cells);
+
+    size_t cell_count() const { return count_; }
+    size_t byte_count() const { return cells_.size() * sizeof(Cell); }
+
+private:
     Key key_of(const Surfel& surfel) const;
     size_t slot_of(Key key) const;
     void grow();

@@ -35,6 +35,7 @@ struct RenderOptions {
     ShadingOptions shading;
     uint64_t seed = 0;  ///< another one changes all random draws
     GiMode gi = GiMode::automatic;
+    RadiosityFiles radiosity_files;
     double gi_error = 0;  ///< in shares of white; 0: as the scene's settings say
 };
 

@@ -77,8 +77,8 @@ TEST(CommandLine, NoBenchmark) {
 
 // What would change the result and does not work is said; what the reference takes without effect is not.
 TEST(CommandLine, OptionsWithoutEffectAreSaid) {
-    for (const char* word : {"Create_Histogram=on", "Histogram_Name=h", "Clockless_Animation=on",
-                             "Radiosity_From_File=on", "+RFO", "+RTR", "Fatal_Console=off", "-UR"}) {
+    for (const char* word : {"Create_Histogram=on", "Histogram_Name=h", "Clockless_Animation=on", "+RTR",
+                             "Fatal_Console=off", "-UR"}) {
         EXPECT_EQ(parse({"a.pov", word}).without_effect.size(), 1u) << word;
     }
     for (const char* word :
@@ -87,6 +87,20 @@ TEST(CommandLine, OptionsWithoutEffectAreSaid) {
           "+GP", "Buffer_Size=3", "Histogram_Type=csv", "High_Reproducibility=on", "Display_Gamma=2.2"}) {
         EXPECT_TRUE(parse({"a.pov", word}).without_effect.empty()) << word;
     }
+}
+
+TEST(CommandLine, RadiosityFiles) {
+    const Settings none = parse({"a.pov"});
+    EXPECT_FALSE(none.radiosity_from_file || none.radiosity_to_file);
+    EXPECT_EQ(none.radiosity_file, "object.rca");  // as the reference has it
+    const Settings words = parse({"a.pov", "+RFmy.rca", "+RFI", "+RFO"});
+    EXPECT_EQ(words.radiosity_file, "my.rca");
+    EXPECT_TRUE(words.radiosity_from_file && words.radiosity_to_file);
+    EXPECT_FALSE(parse({"a.pov", "+RFI", "-RFI"}).radiosity_from_file);
+    const Settings names =
+        parse({"a.pov", "Radiosity_File_Name=x", "Radiosity_To_File=on", "Radiosity_From_File=off"});
+    EXPECT_EQ(names.radiosity_file, "x");
+    EXPECT_TRUE(names.radiosity_to_file && !names.radiosity_from_file);
 }
 
 TEST(CommandLine, MessageFiles) {
