@@ -91,13 +91,13 @@ struct TestHit {
 
 class Ours {
 public:
-    explicit Ours(const TriangleMesh& mesh, bool brute_force = false) {
+    explicit Ours(const TriangleMesh& mesh, MeshSearch search = MeshSearch::fastest) {
         MeshData data;
         data.triangles = mesh;
-        shape_ = std::make_unique<MeshShape>("mesh2", std::move(data), brute_force);
+        shape_ = std::make_unique<MeshShape>("mesh2", std::move(data), search);
     }
     void build(int) { shape_->prepare(); }
-    size_t memory() const { return shape_->tree().memory(); }
+    size_t memory() const { return shape_->tree_memory(); }
     TestHit closest(const TestRay& r) const {
         const Ray ray{Vec3(r.origin), Vec3(r.direction)};
         Crossing nearest;
@@ -329,7 +329,7 @@ void measure(std::string_view name, const TriangleMesh& mesh, int runs) {
     ours.build(1);
     Embree embree(mesh);
     embree.build(1);
-    const Ours brute(mesh, true);
+    const Ours brute(mesh, MeshSearch::brute_force);
     const unsigned all = std::max(2u, std::thread::hardware_concurrency());
     for (const RayKind& kind : make_rays(ours, 512)) {
         std::vector<double> ours_one, its_one, ours_all, its_all;

@@ -1,4 +1,4 @@
-#include "kdtree/kdtree.h"
+#include "kdtree/pack.h"
 
 #include <algorithm>
 #include <array>
@@ -51,10 +51,11 @@ public:
         const auto n = static_cast<double>(references_.size());
         const int depth = options.depth >= 0 ? options.depth : static_cast<int>(8.0 + 1.3 * std::log2(n));
         tree_.bounds_ = widened(hull);
-        tree_.nodes_.emplace_back();
-        build(0, 0, hull, hull, {std::min(depth, 60), 0, options.most_references * n + 4096.0});
-        tree_.nodes_.shrink_to_fit();
-        tree_.references_.shrink_to_fit();
+        tree_.block_ = static_cast<uint32_t>(options.block);
+        nodes_.emplace_back();
+        build(0, 0, hull, hull, {std::min(depth, KdTree::most_depth), 0, options.most_references * n + 4096.0});
+        references_ = {};
+        KdPacker(tree_, nodes_, in_leaves_);
     }
 
 private:
@@ -72,11 +73,11 @@ private:
 
     void make_leaf(uint32_t node, size_t begin) {
         const size_t count = references_.size() - begin;
-        const auto first = static_cast<uint32_t>(tree_.references_.size());
+        const auto first = static_cast<uint32_t>(in_leaves_.size());
         for (size_t i = begin; i < references_.size(); ++i)
-            tree_.references_.push_back(references_[i].element);
+            in_leaves_.push_back(references_[i].element);
         references_.resize(begin);
-        tree_.nodes_[node] = {first, static_cast<uint32_t>(count) << 2 | 3u};
+        nodes_[node] = {first, static_cast<uint32_t>(count) << 2 | 3u};
     }
 
     /// What is left of the bounds on the way down.
@@ -107,9 +108,9 @@ private:
         BoxF high_hull = empty_box_f;
         const size_t middle = partition(begin, split, low_cell, high_cell, low_hull, high_hull);
 
-        const auto low = static_cast<uint32_t>(tree_.nodes_.size());
-        tree_.nodes_.resize(tree_.nodes_.size() + 2);
-        tree_.nodes_[node] = {std::bit_cast<uint32_t>(split.plane),
+        const auto low = static_cast<uint32_t>(nodes_.size());
+        nodes_.resize(nodes_.size() + 2);
+        nodes_[node] = {std::bit_cast<uint32_t>(split.plane),
                               low << 2 | static_cast<uint32_t>(split.axis)};
         const auto n_high = static_cast<double>(references_.size() - middle);
         const auto n_low = static_cast<double>(middle - begin);
@@ -298,6 +299,8 @@ private:
     const KdOptions& options_;
     const KdTree::Clip& clip_;
     std::array<double, 128> block_costs_{};  ///< by element count; rounding to blocks matters for few
+    std::vector<KdNode> nodes_;
+    std::vector<uint32_t> in_leaves_;
     std::vector<Reference> references_;
     std::vector<float> lows_;
     std::vector<float> highs_;

@@ -55,6 +55,7 @@ public:
     }
 
 private:
+    friend class WoopBlockRay;
     struct Sheared {
         double ax, ay, az, bx, by, bz, cx, cy, cz;
         double u, v, w;
