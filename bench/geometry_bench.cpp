@@ -219,7 +219,7 @@ void bumpy() {
     fmt::print("mesh2 of 1,000,000 triangles: read and tree {:.2f} s; {}; {}\n", seconds() - start,
                mesh->describe(), memory());
     const auto& shape = static_cast<const MeshShape&>(*mesh);
-    fmt::print("{} treelets, {} references, {:.1f} MB\n", shape.tree().treelet_count(),
+    fmt::print("{} nodes, {} references, {:.1f} MB\n", shape.tree().node_count(),
                shape.tree().references().size(), static_cast<double>(shape.tree_memory()) * 1e-6);
     block = {};
     BenchScene scene;

@@ -1,16 +1,17 @@
-// The kD-tree of a mesh beside Embree and beside brute force: build, memory, rays per second, one ray at a time.
-// Prints tables in Markdown. Usage: kdtree_bench [bumpy|soup|all] [least triangles] [most triangles] [runs]
+// The kD-tree of a mesh beside Embree and beside brute force: build, memory, rays per second, one ray at a
+// time. Prints tables in Markdown. Usage: kdtree_bench [bumpy|soup|all] [least triangles] [most triangles]
+// [runs]
 #include "shapes/mesh_shape.h"
 
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <embree3/rtcore.h>
 #include <random>
 #include <string>
 #include <thread>
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 namespace {
@@ -59,7 +60,8 @@ TriangleMesh bumpy(size_t count) {
     return mesh;
 }
 
-/// Single triangles of all directions scattered through a cube; a ray that crosses it meets about 8 of any number.
+/// Single triangles of all directions scattered through a cube; a ray that crosses it meets about 8 of any
+/// number.
 TriangleMesh soup(size_t count) {
     TriangleMesh mesh;
     std::mt19937 random(17);
@@ -203,8 +205,8 @@ struct RayKind {
     std::vector<TestRay> rays;
 };
 
-/// Camera rays row by row; rays of all directions from anywhere in the mesh's box; rays from where camera rays
-/// hit to a light.
+/// Camera rays row by row; rays of all directions from anywhere in the mesh's box; rays from where camera
+/// rays hit to a light.
 std::vector<RayKind> make_rays(const Ours& mesh, int side) {
     std::vector<RayKind> kinds{{"primary", false, {}}, {"random", false, {}}, {"shadow", true, {}}};
     const Vec3 eye{0.1, 0.3, -4};
@@ -345,10 +347,12 @@ void measure(std::string_view name, const TriangleMesh& mesh, int runs) {
         for (size_t i = 0; i < kind.rays.size(); i += step) few.rays.push_back(kind.rays[i]);
         const double slow = rate(brute, few, 1);
         const Agreement a = compare(ours, embree, kind);
-        fmt::print("rays | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.0f} | {} of {} | {} | {} |\n",
-                   name, mesh.faces.size(), kind.name, median(ours_one), median(its_one),
-                   median(ours_one) / median(its_one), median(ours_all), median(its_all),
-                   median(ours_one) / slow, a.hits, kind.rays.size(), a.other_answer, a.other_distance);
+        fmt::print(
+            "rays | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.0f} | {} of {} | {} | {} "
+            "|\n",
+            name, mesh.faces.size(), kind.name, median(ours_one), median(its_one),
+            median(ours_one) / median(its_one), median(ours_all), median(its_all), median(ours_one) / slow,
+            a.hits, kind.rays.size(), a.other_answer, a.other_distance);
         std::fflush(stdout);
     }
 }
@@ -363,9 +367,10 @@ int main(int argc, char** argv) {
     const size_t least = number(2, 10'000);
     const size_t most = number(3, 10'000'000);
     const int runs = static_cast<int>(number(4, 5));
-    fmt::print("build | mesh | triangles | s, 1 thread | Embree | ratio | s, all | Embree | MB | Embree |\n"
-               "rays | mesh | triangles | rays | Mray/s, 1 thread | Embree | ratio | all | Embree | × brute force | "
-               "hits | other answer | other distance |\n");
+    fmt::print(
+        "build | mesh | triangles | s, 1 thread | Embree | ratio | s, all | Embree | MB | Embree |\n"
+        "rays | mesh | triangles | rays | Mray/s, 1 thread | Embree | ratio | all | Embree | × brute force | "
+        "hits | other answer | other distance |\n");
     for (size_t n = least; n <= most; n *= 10) {
         if (wanted != "soup") measure("bumpy", bumpy(n), runs);
         if (wanted != "bumpy") measure("soup", soup(n), runs);

@@ -51,9 +51,12 @@ public:
         const auto n = static_cast<double>(references_.size());
         const int depth = options.depth >= 0 ? options.depth : static_cast<int>(8.0 + 1.3 * std::log2(n));
         tree_.bounds_ = widened(hull);
+        for (int axis = 0; axis < 3; ++axis)
+            tree_.reach_ = std::max({tree_.reach_, std::abs(hull.lo[axis]), std::abs(hull.hi[axis])});
         tree_.block_ = static_cast<uint32_t>(options.block);
         nodes_.emplace_back();
-        build(0, 0, hull, hull, {std::min(depth, KdTree::most_depth), 0, options.most_references * n + 4096.0});
+        build(0, 0, hull, hull,
+              {std::min(depth, KdStack::most_depth), 0, options.most_references * n + 4096.0});
         references_ = {};
         KdPacker(tree_, nodes_, in_leaves_);
     }
@@ -74,10 +77,10 @@ private:
     void make_leaf(uint32_t node, size_t begin) {
         const size_t count = references_.size() - begin;
         const auto first = static_cast<uint32_t>(in_leaves_.size());
-        for (size_t i = begin; i < references_.size(); ++i)
-            in_leaves_.push_back(references_[i].element);
+        for (size_t i = begin; i < references_.size(); ++i) in_leaves_.push_back(references_[i].element);
         references_.resize(begin);
-        nodes_[node] = {first, static_cast<uint32_t>(count) << 2 | 3u};
+        nodes_[node].first = first;
+        nodes_[node].count = static_cast<uint32_t>(count);
     }
 
     /// What is left of the bounds on the way down.
@@ -89,6 +92,7 @@ private:
 
     void build(uint32_t node, size_t begin, const BoxF& cell, const BoxF& hull, Allowance allowance) {
         const size_t n = references_.size() - begin;
+        nodes_[node].hull = hull;
         if (n == 0 || allowance.depth == 0 || static_cast<double>(n) >= allowance.references) {
             return make_leaf(node, begin);
         }
@@ -110,8 +114,8 @@ private:
 
         const auto low = static_cast<uint32_t>(nodes_.size());
         nodes_.resize(nodes_.size() + 2);
-        nodes_[node] = {std::bit_cast<uint32_t>(split.plane),
-                              low << 2 | static_cast<uint32_t>(split.axis)};
+        nodes_[node].first = low;
+        nodes_[node].count = BinaryNode::inner;
         const auto n_high = static_cast<double>(references_.size() - middle);
         const auto n_low = static_cast<double>(middle - begin);
         --allowance.depth;
@@ -299,7 +303,7 @@ private:
     const KdOptions& options_;
     const KdTree::Clip& clip_;
     std::array<double, 128> block_costs_{};  ///< by element count; rounding to blocks matters for few
-    std::vector<KdNode> nodes_;
+    std::vector<BinaryNode> nodes_;
     std::vector<uint32_t> in_leaves_;
     std::vector<Reference> references_;
     std::vector<float> lows_;

@@ -18,20 +18,4 @@ BoxF rounded_outward(const Bounds& b) {
     return out;
 }
 
-bool KdTree::clip_ray(const Ray& ray, const Vec3& inverse, double& near, double& far) const {
-    for (int axis = 0; axis < 3; ++axis) {
-        double a = (bounds_.lo[axis] - ray.origin[axis]) * inverse[axis];
-        double b = (bounds_.hi[axis] - ray.origin[axis]) * inverse[axis];
-        if (std::signbit(inverse[axis])) std::swap(a, b);
-        constexpr double most = std::numeric_limits<double>::max();
-        a -= std::min(std::abs(a) * rounding, most);
-        b += std::min(std::abs(b) * rounding, most);
-        // NaN (a ray inside a face plane) leaves the interval as it is.
-        if (a > near) near = a;
-        if (b < far) far = b;
-        if (near > far) return false;
-    }
-    return true;
-}
-
 }  // namespace rb

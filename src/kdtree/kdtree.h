@@ -1,6 +1,7 @@
 #pragma once
 #include "base/huge_pages.h"
 #include "kdtree/box_f.h"
+#include "kdtree/box_ray.h"
 #include "math/ray.h"
 
 #include <algorithm>
@@ -23,13 +24,10 @@ struct KdOptions {
     int depth = -1;                ///< most levels; -1: 8 + 1.3 log2(n)
 };
 
-/// Up to seven inner nodes of three levels in one cache line, and the eight children below them.
-struct alignas(64) KdTreelet {
-    /// Of node i, whose low child is 2 i + 1 and high child 2 i + 2; those from 7 on are the children. Infinite
-    /// where a leaf stands higher up (all is on its low side), NaN where both sides are to be visited.
-    float plane[7];
-    uint32_t axes_and_filled;  ///< three bits an axis; from bit 24 on: the children that hold anything
-    /// Another treelet, or (leaf_bit) blocks of elements: how many, and the first one.
+/// Eight boxes, each around what the cell of a node of the tree holds. A child is another such node, or
+/// (leaf_bit) blocks of elements: how many, and the first one; boxes without child are never met.
+struct alignas(32) KdNode {
+    float planes[3][2][8];  ///< by axis, low or high, child
     uint32_t child[8];
 
     static constexpr uint32_t leaf_bit = 1u << 31;
@@ -37,10 +35,46 @@ struct alignas(64) KdTreelet {
     static constexpr int count_shift = 27;
     static uint32_t first_block(uint32_t leaf) { return leaf & ((1u << count_shift) - 1); }
     static uint32_t block_count(uint32_t leaf) { return leaf >> count_shift & most_blocks; }
-    int axis(uint32_t node) const { return static_cast<int>(axes_and_filled >> 3 * node & 7u); }
-    unsigned filled() const { return axes_and_filled >> 24; }
 };
-static_assert(sizeof(KdTreelet) == 64);
+
+/// What waits during a walk, the nearest on top.
+class KdStack {
+public:
+    /// Sorted in, and the nearest of these taken out. `met` is not 0.
+    uint32_t push(const KdNode& node, unsigned met, const float near_of[8]) {
+        const auto child_in = [&](int lane) { return Waiting{near_of[lane], node.child[lane]}; };
+        Waiting nearest = child_in(std::countr_zero(met));
+        const size_t first = count_;
+        for (met &= met - 1; met != 0; met &= met - 1) {
+            Waiting other = child_in(std::countr_zero(met));
+            if (other.near < nearest.near) std::swap(other, nearest);
+            size_t place = count_++;
+            for (; place > first && waiting_[place - 1].near < other.near; --place)
+                waiting_[place] = waiting_[place - 1];
+            waiting_[place] = other;
+        }
+        return nearest.child;
+    }
+    /// False if nothing is left before `far`.
+    bool pop(float far, uint32_t& child) {
+        while (count_ > 0) {
+            const Waiting& top = waiting_[--count_];
+            child = top.child;
+            if (top.near <= far) return true;
+        }
+        return false;
+    }
+
+    static constexpr int most_depth = 60;  ///< of the tree
+
+private:
+    struct Waiting {
+        float near;
+        uint32_t child;
+    };
+    size_t count_ = 0;
+    Waiting waiting_[7 * (most_depth + 12)];
+};
 
 /// A kD-tree over numbered elements: planes in single precision, rays in double. Boxes are never enlarged;
 /// the traversal rules keep every hit (docs/architecture.md, "kD-tree"; algorithms 1.3).
@@ -59,14 +93,12 @@ public:
     KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip = {});
     KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip = {});
 
-    bool is_empty() const { return treelets_.empty(); }
+    bool is_empty() const { return nodes_.empty(); }
     const Bounds& bounds() const { return bounds_; }
-    size_t treelet_count() const { return treelets_.size(); }
+    size_t node_count() const { return nodes_.size(); }
     /// The elements of all cells, block by block.
     std::span<const uint32_t> references() const { return references_; }
-    size_t memory() const {
-        return treelets_.size() * sizeof(KdTreelet) + references_.size() * sizeof(uint32_t);
-    }
+    size_t memory() const { return nodes_.size() * sizeof(KdNode) + references_.size() * sizeof(uint32_t); }
 
     /// Walks the cells that the ray meets between `t_min` and `t_max`, near to far, and calls
     /// `leaf(const uint32_t* elements, uint32_t count)` for each; `t_max` is read again after every call, so
@@ -76,7 +108,7 @@ public:
     template <class Leaf>
     bool walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const;
 
-    /// The same by three levels at once (kdtree/wide_walk.h).
+    /// The same with all boxes of a node at once (kdtree/wide_walk.h).
     template <class Leaf>
     bool walk_wide(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const;
 
@@ -84,80 +116,36 @@ private:
     friend class KdBuilder;
     friend class KdPacker;
 
-    bool clip_ray(const Ray& ray, const Vec3& inverse, double& near, double& far) const;
-
-    static constexpr int most_depth = 60;
-    // A hit at t_max itself may lie in a cell that rounding puts just behind it.
-    static constexpr double hit_rounding = 1e-13;
-    // Three roundings of the distance to a plane, at most 1.5 ulp each. Negative distances need no care: they
-    // are before `near`, which never is negative, however they are rounded.
-    static constexpr double rounding = 8e-16;
-
-    std::vector<KdTreelet, HugePages<KdTreelet>> treelets_;
+    std::vector<KdNode, HugePages<KdNode>> nodes_;
     std::vector<uint32_t> references_;
     uint32_t block_ = 1;
     Bounds bounds_;
+    float reach_ = 0;  ///< largest coordinate
 };
 
 template <class Leaf>
 bool KdTree::walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const {
-    if (treelets_.empty()) return false;
-    const Vec3 inverse = 1.0 / ray.direction;
-    double near = t_min;
-    double far = t_max + t_max * hit_rounding;
-    if (!clip_ray(ray, inverse, near, far)) return false;
-    // Plain arrays: a vector's [] with a variable index costs a branch.
-    const double origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
-    const double slope[3] = {inverse.x, inverse.y, inverse.z};
-    const uint32_t high_first[3] = {std::signbit(inverse.x) ? 1u : 0u, std::signbit(inverse.y) ? 1u : 0u,
-                                    std::signbit(inverse.z) ? 1u : 0u};
-    struct Waiting {
-        uint32_t node;
-        double near;
-        double far;
-    };
-    Waiting stack[most_depth + 36];
-    int waiting = 0;
-    // A treelet, and in the low four bits the node in it or (from 7 on) the child below it.
+    if (nodes_.empty()) return false;
+    const BoxRay slabs(ray, Vec3{0.0}, reach_);
+    const float near = slabs.scaled_down(t_min);
+    float far = slabs.scaled_up(t_max);
+    KdStack stack;
     uint32_t at = 0;
     for (;;) {
-        const KdTreelet& treelet = treelets_[at >> 4];
-        const uint32_t node = at & 15u;
-        if (node < 7) {
-            const int axis = treelet.axis(node);
-            const double t = (static_cast<double>(treelet.plane[node]) - origin[axis]) * slope[axis];
-            const double t_low = t * (1.0 - rounding);
-            const double t_high = t * (1.0 + rounding);
-            const uint32_t first = at + node + 1 + high_first[axis];
-            const uint32_t second = at + node + 2 - high_first[axis];
-            // A ray inside the plane gives NaN, which falls through to both children.
-            if (t_low > far) {
-                at = first;
-            } else if (t_high < near) {
-                at = second;
-            } else {
-                stack[waiting++] = {second, t_low > near ? t_low : near, far};
-                if (t_high < far) far = t_high;
-                at = first;
-            }
-            continue;
+        const KdNode& node = nodes_[at];
+        alignas(16) float near_of[8];
+        const unsigned met = slabs.meets(node.planes, near, far, near_of) |
+                             slabs.meets(node.planes, near, far, near_of + 4, 4) << 4;
+        if (met != 0) {
+            at = stack.push(node, met, near_of);
+        } else if (!stack.pop(far, at)) {
+            return false;
         }
-        const uint32_t child = treelet.child[node - 7];
-        if ((child & KdTreelet::leaf_bit) == 0) {
-            at = child << 4;
-            continue;
-        }
-        const uint32_t count = block_ * KdTreelet::block_count(child);
-        if (count > 0 && leaf(references_.data() + block_ * KdTreelet::first_block(child), count)) return true;
-        const double limit = t_max + t_max * hit_rounding;
-        for (;;) {
-            if (waiting == 0) return false;
-            const Waiting& next = stack[--waiting];
-            if (next.near > limit) continue;
-            at = next.node;
-            near = next.near;
-            far = next.far < limit ? next.far : limit;
-            break;
+        while ((at & KdNode::leaf_bit) != 0) {
+            if (leaf(references_.data() + block_ * KdNode::first_block(at), block_ * KdNode::block_count(at)))
+                return true;
+            far = slabs.scaled_up(t_max);
+            if (!stack.pop(far, at)) return false;
         }
     }
 }

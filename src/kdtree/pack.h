@@ -1,102 +1,106 @@
 #pragma once
 #include "kdtree/kdtree.h"
 
+#include <array>
+
 namespace rb {
 
-/// Inner: plane, and index of the low child (the high one follows); leaf: first reference, and count.
-struct KdNode {
-    uint32_t plane_or_first;
-    uint32_t link;  ///< axis (3: leaf) in the low two bits, child or count above
-    bool is_leaf() const { return (link & 3u) == 3u; }
-    uint32_t axis() const { return link & 3u; }
-    uint32_t value() const { return link >> 2; }
-    float plane() const { return std::bit_cast<float>(plane_or_first); }
+/// A node of the binary tree, with the box around what its cell holds. Of an inner one the low child is
+/// `first`, and the high one follows; of a leaf `first` is its first reference.
+struct BinaryNode {
+    static constexpr uint32_t inner = std::numeric_limits<uint32_t>::max();
+    BoxF hull;
+    uint32_t first;
+    uint32_t count;  ///< of references, or `inner`
 };
 
-/// Lays a binary tree out in treelets, and the elements of its leaves in blocks.
+/// Lays a binary tree out in nodes of eight boxes, and the elements of its leaves in blocks.
 class KdPacker {
 public:
-    KdPacker(KdTree& tree, const std::vector<KdNode>& nodes, const std::vector<uint32_t>& references)
-        : tree_(tree), nodes_(nodes), references_(references) {
-        tree_.treelets_.reserve(nodes.size() / 4);
+    KdPacker(KdTree& tree, const std::vector<BinaryNode>& nodes, const std::vector<uint32_t>& references)
+        : tree_(tree), binary_(nodes), references_(references) {
         tree_.references_.reserve(references.size() + nodes.size() / 2 * (tree.block_ - 1));
         pack(0);
-        tree_.treelets_.shrink_to_fit();
+        tree_.nodes_.shrink_to_fit();
         tree_.references_.shrink_to_fit();
     }
 
 private:
-    uint32_t new_treelet(float plane) {
-        KdTreelet& treelet = tree_.treelets_.emplace_back();
-        for (float& p : treelet.plane) p = plane;
-        treelet.axes_and_filled = 0;
-        for (uint32_t& child : treelet.child) child = KdTreelet::leaf_bit;
-        return static_cast<uint32_t>(tree_.treelets_.size() - 1);
+    uint32_t new_node() {
+        KdNode& node = tree_.nodes_.emplace_back();
+        for (auto& axis : node.planes) {
+            for (size_t i = 0; i < 8; ++i) {
+                axis[0][i] = std::numeric_limits<float>::infinity();
+                axis[1][i] = -std::numeric_limits<float>::infinity();
+            }
+        }
+        for (uint32_t& child : node.child) child = KdNode::leaf_bit;
+        return static_cast<uint32_t>(tree_.nodes_.size() - 1);
     }
 
+    void set_child(uint32_t at, size_t i, const BoxF& box, uint32_t child) {
+        KdNode& node = tree_.nodes_[at];
+        for (size_t axis = 0; axis < 3; ++axis) {
+            node.planes[axis][0][i] = box.lo[axis];
+            node.planes[axis][1][i] = box.hi[axis];
+        }
+        node.child[i] = child;
+    }
+
+    /// The largest of up to eight nodes are replaced by their children as long as there is room.
     uint32_t pack(uint32_t root) {
-        const uint32_t at = new_treelet(std::numeric_limits<float>::infinity());
-        uint32_t inner[8];
-        for (uint32_t& child : inner) child = no_node;
-        place(at, root, 0, inner);
-        for (size_t i = 0; i < 8; ++i) {
-            if (inner[i] == no_node) continue;
-            const uint32_t child = pack(inner[i]);
-            tree_.treelets_[at].child[i] = child;
+        std::array<uint32_t, 8> parts;
+        size_t count = 0;
+        const auto add = [&](uint32_t node) {
+            if (binary_[node].count != 0) parts[count++] = node;
+        };
+        add(root);
+        while (count < 8) {
+            size_t widest = 8;
+            double most = -1.0;
+            for (size_t i = 0; i < count; ++i) {
+                const BinaryNode& node = binary_[parts[i]];
+                if (node.count != BinaryNode::inner || half_area(node.hull) <= most) continue;
+                widest = i;
+                most = half_area(node.hull);
+            }
+            if (widest == 8) break;
+            const uint32_t low = binary_[parts[widest]].first;
+            parts[widest] = parts[--count];
+            add(low);
+            add(low + 1);
+        }
+        const uint32_t at = new_node();
+        for (size_t i = 0; i < count; ++i) {
+            const BinaryNode& node = binary_[parts[i]];
+            set_child(at, i, node.hull, node.count == BinaryNode::inner ? pack(parts[i]) : add_leaf(node));
         }
         return at;
     }
 
-    /// A node and all below it in the treelet; those that begin treelets of their own go to `inner`.
-    void place(uint32_t at, uint32_t node, uint32_t slot, uint32_t inner[8]) {
-        const KdNode& n = nodes_[node];
-        if (!n.is_leaf() && slot < 7) {
-            tree_.treelets_[at].plane[slot] = n.plane();
-            tree_.treelets_[at].axes_and_filled |= n.axis() << 3 * slot;
-            place(at, n.value(), 2 * slot + 1, inner);
-            place(at, n.value() + 1, 2 * slot + 2, inner);
-            return;
-        }
-        while (slot < 7) slot = 2 * slot + 1;
-        const uint32_t lane = slot - 7;
-        if (!n.is_leaf()) {
-            inner[lane] = node;
-        } else if (n.value() > 0) {
-            const uint32_t child = add_leaf(n.plane_or_first, n.value());
-            tree_.treelets_[at].child[lane] = child;
-        } else {
-            return;
-        }
-        tree_.treelets_[at].axes_and_filled |= 1u << (24 + lane);
-    }
-
-    uint32_t add_leaf(uint32_t first, uint32_t count) {
+    uint32_t add_leaf(const BinaryNode& leaf) {
         const auto block = static_cast<uint32_t>(tree_.references_.size() / tree_.block_);
-        for (uint32_t i = 0; i < count; ++i) tree_.references_.push_back(references_[first + i]);
+        for (uint32_t i = 0; i < leaf.count; ++i) tree_.references_.push_back(references_[leaf.first + i]);
         while (tree_.references_.size() % tree_.block_ != 0)
-            tree_.references_.push_back(references_[first + count - 1]);
-        return leaf_of(block, static_cast<uint32_t>(tree_.references_.size() / tree_.block_) - block);
+            tree_.references_.push_back(references_[leaf.first + leaf.count - 1]);
+        const auto end = static_cast<uint32_t>(tree_.references_.size() / tree_.block_);
+        return leaf_of(leaf.hull, block, end - block);
     }
 
-    /// Where there are more blocks than a leaf can name, a treelet all of whose children are visited.
-    uint32_t leaf_of(uint32_t first, uint32_t count) {
-        if (count <= KdTreelet::most_blocks)
-            return KdTreelet::leaf_bit | count << KdTreelet::count_shift | first;
-        const uint32_t at = new_treelet(std::numeric_limits<float>::quiet_NaN());
+    /// Where there are more blocks than a leaf can name, a node all of whose children have the same box.
+    uint32_t leaf_of(const BoxF& hull, uint32_t first, uint32_t count) {
+        if (count <= KdNode::most_blocks) return KdNode::leaf_bit | count << KdNode::count_shift | first;
+        const uint32_t at = new_node();
         for (uint32_t i = 0; i < 8; ++i) {
             const auto begin = static_cast<uint32_t>(uint64_t{count} * i / 8);
             const auto end = static_cast<uint32_t>(uint64_t{count} * (i + 1) / 8);
-            const uint32_t child = leaf_of(first + begin, end - begin);
-            tree_.treelets_[at].child[i] = child;
+            set_child(at, i, hull, leaf_of(hull, first + begin, end - begin));
         }
-        tree_.treelets_[at].axes_and_filled = 0xffu << 24;
         return at;
     }
 
-    static constexpr uint32_t no_node = std::numeric_limits<uint32_t>::max();
-
     KdTree& tree_;
-    const std::vector<KdNode>& nodes_;
+    const std::vector<BinaryNode>& binary_;
     const std::vector<uint32_t>& references_;
 };
 

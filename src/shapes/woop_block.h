@@ -51,13 +51,13 @@ public:
         const __m512d zero = _mm512_setzero_pd();
         const __m512d least = _mm512_min_pd(_mm512_min_pd(u, v), w);
         const __m512d most = _mm512_max_pd(_mm512_max_pd(u, v), w);
-        __mmask8 met = _mm512_cmp_pd_mask(least, zero, _CMP_GE_OQ) |
-                       _mm512_cmp_pd_mask(most, zero, _CMP_LE_OQ);
+        __mmask8 met =
+            _mm512_cmp_pd_mask(least, zero, _CMP_GE_OQ) | _mm512_cmp_pd_mask(most, zero, _CMP_LE_OQ);
         if (met == 0) return 0;
         const __m512d sum = _mm512_add_pd(_mm512_add_pd(u, v), w);
         const __m512d inverse = _mm512_div_pd(_mm512_set1_pd(1.0), sum);
-        const __m512d height = _mm512_add_pd(_mm512_add_pd(_mm512_mul_pd(u, a.z), _mm512_mul_pd(v, b.z)),
-                                             _mm512_mul_pd(w, c.z));
+        const __m512d height =
+            _mm512_add_pd(_mm512_add_pd(_mm512_mul_pd(u, a.z), _mm512_mul_pd(v, b.z)), _mm512_mul_pd(w, c.z));
         const __m512d t = _mm512_mul_pd(sz_, _mm512_mul_pd(height, inverse));
         met &= _mm512_cmp_pd_mask(sum, zero, _CMP_NEQ_UQ);
         met &= _mm512_cmp_pd_mask(t, _mm512_set1_pd(t_min), _CMP_GT_OQ);
