@@ -63,8 +63,8 @@ void MeshShape::pack_blocks() const {
     for (size_t i = 0; i < faces.size(); ++i) {
         const auto& face = data_.triangles.faces[faces[i]];
         const auto& vertices = data_.triangles.vertices;
-        blocks_[i / TriangleBlock::size].set(i % TriangleBlock::size, vertices[face[0]], vertices[face[1]],
-                                             vertices[face[2]]);
+        blocks_[i / TriangleBlock::size].set(i % TriangleBlock::size, faces[i], vertices[face[0]],
+                                             vertices[face[1]], vertices[face[2]]);
     }
 }
 
@@ -124,7 +124,7 @@ RB_WIDE bool MeshShape::each_by_blocks(const ShapeRay& ray, const double& t_max,
                 const auto i = static_cast<uint32_t>(std::countr_zero(met));
                 const TriangleHit hit = hits[i];
                 // t_max may have come nearer.
-                if (hit.t <= t_max && !starts_on(ray, found[at + i]) && take(found[at + i], hit)) return true;
+                if (hit.t <= t_max && !starts_on(ray, block->face[i]) && take(block->face[i], hit)) return true;
             }
         }
         return false;
