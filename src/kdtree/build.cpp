@@ -55,8 +55,7 @@ public:
             tree_.reach_ = std::max({tree_.reach_, std::abs(hull.lo[axis]), std::abs(hull.hi[axis])});
         tree_.block_ = static_cast<uint32_t>(options.block);
         nodes_.emplace_back();
-        build(0, 0, hull, hull,
-              {std::min(depth, KdStack::most_depth), 0, options.most_references * n + 4096.0});
+        build(0, 0, hull, {std::min(depth, KdStack::most_depth), 0, options.most_references * n + 4096.0});
         references_ = {};
         KdPacker(tree_, nodes_, in_leaves_);
     }
@@ -90,22 +89,22 @@ private:
         double references;  ///< that the subtree may make: a bound on duplicates that acts everywhere alike
     };
 
-    void build(uint32_t node, size_t begin, const BoxF& cell, const BoxF& hull, Allowance allowance) {
+    void build(uint32_t node, size_t begin, const BoxF& hull, Allowance allowance) {
         const size_t n = references_.size() - begin;
         nodes_[node].hull = hull;
         if (n == 0 || allowance.depth == 0 || static_cast<double>(n) >= allowance.references) {
             return make_leaf(node, begin);
         }
         const double leaf_cost = block_cost(n);
-        const Split split = best_split(begin, cell, hull);
+        const Split split = best_split(begin, hull);
         if (split.cost >= leaf_cost) ++allowance.bad_refines;
         if (split.axis < 0 || allowance.bad_refines > most_bad_refines ||
             (split.cost > 4.0 * leaf_cost && n < 16) ||
             (n <= static_cast<size_t>(options_.block) && split.cost >= leaf_cost)) {
             return make_leaf(node, begin);
         }
-        BoxF low_cell = cell;
-        BoxF high_cell = cell;
+        BoxF low_cell = hull;
+        BoxF high_cell = hull;
         low_cell.hi[split.axis] = split.plane;
         high_cell.lo[split.axis] = split.plane;
         BoxF low_hull = empty_box_f;
@@ -121,9 +120,9 @@ private:
         --allowance.depth;
         const double share = allowance.references / std::max(n_low + n_high, 1.0);
         allowance.references = share * n_high;
-        build(low + 1, middle, high_cell, high_hull, allowance);
+        build(low + 1, middle, high_hull, allowance);
         allowance.references = share * n_low;
-        build(low, begin, low_cell, low_hull, allowance);
+        build(low, begin, low_hull, allowance);
     }
 
     /// Cuts a straddling reference down to a child's cell; false if nothing of it is left there.
@@ -146,6 +145,12 @@ private:
         return true;
     }
 
+    static double area(const BoxF& box) { return box.lo[0] <= box.hi[0] ? half_area(box) : 0.0; }
+    static double area_with(BoxF box, const BoxF& other) {
+        include(box, other);
+        return half_area(box);
+    }
+
     size_t partition(size_t begin, const Split& split, const BoxF& low_cell, const BoxF& high_cell,
                      BoxF& low_hull, BoxF& high_hull) {
         const int a = split.axis;
@@ -164,17 +169,40 @@ private:
                 ++i;
             }
         }
-        // Now [low | both | high]. Both's low parts stay, its high parts go to the end; one that is cut away
-        // is filled from there.
+        // Now [low | both | high]. Both's low parts stay, its high parts go to the end; one that has no low
+        // part is filled from there.
+        auto n_low = static_cast<double>(high_begin - begin);
+        auto n_high = static_cast<double>(references_.size() - low_end);
         size_t middle = low_end;
         for (size_t i = low_end; i < high_begin; ++i) {
-            Reference low = references_[i];
-            Reference high = low;
-            if (cut(high, high_cell)) {
+            const Reference whole = references_[i];
+            Reference low = whole;
+            Reference high = whole;
+            bool in_low = cut(low, low_cell);
+            bool in_high = cut(high, high_cell);
+            if (in_low && in_high) {
+                // A child's box may as well become larger: then it holds the whole.
+                const double low_area = area(low_hull);
+                const double high_area = area(high_hull);
+                const double in_both =
+                    area_with(low_hull, low.box) * n_low + area_with(high_hull, high.box) * n_high;
+                const double all_low = area_with(low_hull, whole.box) * n_low + high_area * (n_high - 1.0);
+                const double all_high = low_area * (n_low - 1.0) + area_with(high_hull, whole.box) * n_high;
+                if (all_low <= in_both && all_low <= all_high) {
+                    low = whole;
+                    in_high = false;
+                    n_high -= 1.0;
+                } else if (all_high <= in_both) {
+                    high = whole;
+                    in_low = false;
+                    n_low -= 1.0;
+                }
+            }
+            if (in_high) {
                 include(high_hull, high.box);
                 references_.push_back(high);
             }
-            if (cut(low, low_cell)) {
+            if (in_low) {
                 include(low_hull, low.box);
                 references_[middle++] = low;
             }
@@ -216,7 +244,7 @@ private:
     }
 
     template <int bins>
-    Split best_binned(size_t begin, const BoxF& cell, const BoxF& hull) const {
+    Split best_binned(size_t begin, const BoxF& hull) const {
         uint32_t starts[3][bins] = {};
         uint32_t ends[3][bins] = {};
         float scale[3];
@@ -236,9 +264,7 @@ private:
         const size_t n = references_.size() - begin;
         Split best;
         for (int a = 0; a < 3; ++a) {
-            const Axis axis = axis_of(cell, a);
-            consider(best, axis, hull.lo[a], 0, n);
-            consider(best, axis, hull.hi[a], n, 0);
+            const Axis axis = axis_of(hull, a);
             if (scale[a] == 0.0f) continue;
             const float width = 1.0f / scale[a];
             size_t n_low = 0;
@@ -252,11 +278,11 @@ private:
         return best;
     }
 
-    Split best_split(size_t begin, const BoxF& cell, const BoxF& hull) {
+    Split best_split(size_t begin, const BoxF& hull) {
         const size_t n = references_.size() - begin;
-        if (static_cast<int>(n) < options_.sweep_below) return best_swept(begin, cell);
-        if (n > 512) return best_binned<32>(begin, cell, hull);
-        return n > 32 ? best_binned<16>(begin, cell, hull) : best_binned<8>(begin, cell, hull);
+        if (static_cast<int>(n) < options_.sweep_below) return best_swept(begin, hull);
+        if (n > 512) return best_binned<32>(begin, hull);
+        return n > 32 ? best_binned<16>(begin, hull) : best_binned<8>(begin, hull);
     }
 
     /// Every side of every box is a candidate: exact, for small nodes.

@@ -34,9 +34,8 @@ void MeshShape::build_tree() const {
     KdOptions options;
     options.block = TriangleBlock::size;
     options.traversal_cost = 3.0;
-    // Sorting every plane of a large mesh costs more than it saves.
-    constexpr size_t large = 100000;
-    if (data_.triangles.faces.size() > large) options.sweep_below = 0;
+    // Sorting every plane costs five times as much as the rest, and saves 2 % of the time of a ray.
+    options.sweep_below = 0;
     std::vector<bool> slivers(data_.triangles.faces.size());
     const auto box_of = [&](uint32_t face) {
         const auto& f = data_.triangles.faces[face];
@@ -124,7 +123,8 @@ RB_WIDE bool MeshShape::each_by_blocks(const ShapeRay& ray, const double& t_max,
                 const auto i = static_cast<uint32_t>(std::countr_zero(met));
                 const TriangleHit hit = hits[i];
                 // t_max may have come nearer.
-                if (hit.t <= t_max && !starts_on(ray, block->face[i]) && take(block->face[i], hit)) return true;
+                if (hit.t <= t_max && !starts_on(ray, block->face[i]) && take(block->face[i], hit))
+                    return true;
             }
         }
         return false;
