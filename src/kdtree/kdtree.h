@@ -76,8 +76,9 @@ private:
     Waiting waiting_[7 * (most_depth + 12)];
 };
 
-/// A kD-tree over numbered elements: planes in single precision, rays in double. Boxes are never enlarged;
-/// the traversal rules keep every hit (docs/architecture.md, "kD-tree"; algorithms 1.3).
+/// A kD-tree over numbered elements, stored as the boxes around what its cells hold: in single precision,
+/// rounded outward. The test of a ray allows for every rounding error (BoxRay), so no element is missed that
+/// the ray may meet (docs/architecture.md, "kD-tree").
 class KdTree {
 public:
     /// The part of an element inside a cell, as a box; may be tighter than its box cut by the cell. Empty
