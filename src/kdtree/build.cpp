@@ -145,10 +145,72 @@ private:
         return true;
     }
 
+    /// The parts of a reference at a plane.
+    struct Parts {
+        Reference low;
+        Reference high;
+        bool in_low;
+        bool in_high;
+    };
+    /// References that the children would have.
+    struct Share {
+        size_t low;
+        size_t high;
+    };
+
     static double area(const BoxF& box) { return box.lo[0] <= box.hi[0] ? half_area(box) : 0.0; }
     static double area_with(BoxF box, const BoxF& other) {
         include(box, other);
         return half_area(box);
+    }
+
+    /// Into `parts_`: cuts the references in [begin, end) at a plane. A child's box may as well become larger
+    /// and hold one whole (Stich, Friedrich and Dietrich 2009); `low` and `high` hold what lies on one side.
+    void share_out(size_t begin, size_t end, const BoxF& low_cell, const BoxF& high_cell, const BoxF& low,
+                   const BoxF& high, const Share& n) {
+        cuts_.clear();
+        BoxF all_low = low;
+        BoxF all_high = high;
+        for (size_t i = begin; i < end; ++i) {
+            Parts& parts = cuts_.emplace_back(Parts{references_[i], references_[i], false, false});
+            parts.in_low = cut(parts.low, low_cell);
+            parts.in_high = cut(parts.high, high_cell);
+            if (parts.in_low) include(all_low, parts.low.box);
+            if (parts.in_high) include(all_high, parts.high.box);
+        }
+        parts_ = cuts_;
+        const double cost = share_out(begin, all_low, all_high, low, high, n);
+        // Without the parts themselves in the boxes fewer are cut; where most are, that is a bad guess.
+        std::swap(parts_, cuts_);
+        if (share_out(begin, low, high, low, high, n) > cost) std::swap(parts_, cuts_);
+    }
+
+    /// By boxes that grow from `low` and `high`; returns the cost by those that grow from the pure ones.
+    double share_out(size_t begin, BoxF low, BoxF high, BoxF pure_low, BoxF pure_high, Share n) {
+        for (size_t i = 0; i < parts_.size(); ++i) {
+            Parts& parts = parts_[i];
+            if (parts.in_low && parts.in_high) {
+                const BoxF& whole = references_[begin + i].box;
+                const auto n_low = static_cast<double>(n.low);
+                const auto n_high = static_cast<double>(n.high);
+                const double in_both =
+                    area_with(low, parts.low.box) * n_low + area_with(high, parts.high.box) * n_high;
+                const double all_low = area_with(low, whole) * n_low + area(high) * (n_high - 1.0);
+                const double all_high = area(low) * (n_low - 1.0) + area_with(high, whole) * n_high;
+                if (n.high > 1 && all_low <= in_both && all_low <= all_high) {
+                    parts.low = references_[begin + i];
+                    parts.in_high = false;
+                    --n.high;
+                } else if (n.low > 1 && all_high <= in_both) {
+                    parts.high = references_[begin + i];
+                    parts.in_low = false;
+                    --n.low;
+                }
+            }
+            if (parts.in_low) include(low, parts.low.box), include(pure_low, parts.low.box);
+            if (parts.in_high) include(high, parts.high.box), include(pure_high, parts.high.box);
+        }
+        return area(pure_low) * static_cast<double>(n.low) + area(pure_high) * static_cast<double>(n.high);
     }
 
     size_t partition(size_t begin, const Split& split, const BoxF& low_cell, const BoxF& high_cell,
@@ -169,42 +231,20 @@ private:
                 ++i;
             }
         }
-        // Now [low | both | high]. Both's low parts stay, its high parts go to the end; one that has no low
-        // part is filled from there.
-        auto n_low = static_cast<double>(high_begin - begin);
-        auto n_high = static_cast<double>(references_.size() - low_end);
+        // Now [low | both | high]. What goes low stays, what goes high goes to the end; holes are filled from
+        // there.
+        const Share n{high_begin - begin, references_.size() - low_end};
+        share_out(low_end, high_begin, low_cell, high_cell, low_hull, high_hull, n);
         size_t middle = low_end;
         for (size_t i = low_end; i < high_begin; ++i) {
-            const Reference whole = references_[i];
-            Reference low = whole;
-            Reference high = whole;
-            bool in_low = cut(low, low_cell);
-            bool in_high = cut(high, high_cell);
-            if (in_low && in_high) {
-                // A child's box may as well become larger: then it holds the whole.
-                const double low_area = area(low_hull);
-                const double high_area = area(high_hull);
-                const double in_both =
-                    area_with(low_hull, low.box) * n_low + area_with(high_hull, high.box) * n_high;
-                const double all_low = area_with(low_hull, whole.box) * n_low + high_area * (n_high - 1.0);
-                const double all_high = low_area * (n_low - 1.0) + area_with(high_hull, whole.box) * n_high;
-                if (all_low <= in_both && all_low <= all_high) {
-                    low = whole;
-                    in_high = false;
-                    n_high -= 1.0;
-                } else if (all_high <= in_both) {
-                    high = whole;
-                    in_low = false;
-                    n_low -= 1.0;
-                }
+            const Parts& parts = parts_[i - low_end];
+            if (parts.in_high) {
+                include(high_hull, parts.high.box);
+                references_.push_back(parts.high);
             }
-            if (in_high) {
-                include(high_hull, high.box);
-                references_.push_back(high);
-            }
-            if (in_low) {
-                include(low_hull, low.box);
-                references_[middle++] = low;
+            if (parts.in_low) {
+                include(low_hull, parts.low.box);
+                references_[middle++] = parts.low;
             }
         }
         for (size_t hole = middle; hole < high_begin; ++hole) {
@@ -332,6 +372,8 @@ private:
     std::vector<BinaryNode> nodes_;
     std::vector<uint32_t> in_leaves_;
     std::vector<Reference> references_;
+    std::vector<Parts> parts_;
+    std::vector<Parts> cuts_;
     std::vector<float> lows_;
     std::vector<float> highs_;
     std::vector<float> flats_;
