@@ -45,6 +45,17 @@ private:
     size_t last_[3];
 };
 
+/// Asks for the nodes among several children that are met, before they are needed.
+inline void prefetch_nodes(const KdNode* nodes, const KdNode& parent, unsigned met) {
+    if ((met & (met - 1)) == 0) return;
+    for (; met != 0; met &= met - 1) {
+        const uint32_t child = parent.child[std::countr_zero(met)];
+        if ((child & KdNode::leaf_bit) != 0) continue;
+        const char* node = reinterpret_cast<const char*>(nodes + child);
+        for (size_t line = 0; line < 256; line += 64) _mm_prefetch(node + line, _MM_HINT_T0);
+    }
+}
+
 template <class Leaf>
 RB_WIDE bool KdTree::walk_wide(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const {
     if (nodes_.empty()) return false;
@@ -59,6 +70,7 @@ RB_WIDE bool KdTree::walk_wide(const Ray& ray, double t_min, const double& t_max
         alignas(32) float near_of[8];
         const unsigned met = wide.meets(node, near, far, near_of);
         if (met != 0) {
+            prefetch_nodes(nodes_.data(), node, met);
             at = stack.push(node, met, near_of);
         } else if (!stack.pop(far, at)) {
             return false;
