@@ -218,9 +218,9 @@ void bumpy() {
     const ShapePtr mesh = read_shape(block);
     fmt::print("mesh2 of 1,000,000 triangles: read and tree {:.2f} s; {}; {}\n", seconds() - start,
                mesh->describe(), memory());
-    const KdTree& tree = static_cast<const MeshShape&>(*mesh).tree();
-    fmt::print("{} nodes, {} references, {:.1f} MB\n", tree.node_count(), tree.reference_count(),
-               static_cast<double>(tree.memory()) * 1e-6);
+    const auto& shape = static_cast<const MeshShape&>(*mesh);
+    fmt::print("{} nodes, {} references, {:.1f} MB\n", shape.tree().node_count(),
+               shape.tree().references().size(), static_cast<double>(shape.tree_memory()) * 1e-6);
     block = {};
     BenchScene scene;
     scene.add_room();

@@ -1,4 +1,4 @@
-#include "kdtree/kdtree.h"
+#include "kdtree/pack.h"
 
 #include <algorithm>
 #include <array>
@@ -51,10 +51,13 @@ public:
         const auto n = static_cast<double>(references_.size());
         const int depth = options.depth >= 0 ? options.depth : static_cast<int>(8.0 + 1.3 * std::log2(n));
         tree_.bounds_ = widened(hull);
-        tree_.nodes_.emplace_back();
-        build(0, 0, hull, hull, {std::min(depth, 60), 0, options.most_references * n + 4096.0});
-        tree_.nodes_.shrink_to_fit();
-        tree_.references_.shrink_to_fit();
+        for (int axis = 0; axis < 3; ++axis)
+            tree_.reach_ = std::max({tree_.reach_, std::abs(hull.lo[axis]), std::abs(hull.hi[axis])});
+        tree_.block_ = static_cast<uint32_t>(options.block);
+        nodes_.emplace_back();
+        build(0, 0, hull, {std::min(depth, KdStack::most_depth), 0, options.most_references * n + 4096.0});
+        references_ = {};
+        KdPacker(tree_, nodes_, in_leaves_);
     }
 
 private:
@@ -72,11 +75,11 @@ private:
 
     void make_leaf(uint32_t node, size_t begin) {
         const size_t count = references_.size() - begin;
-        const auto first = static_cast<uint32_t>(tree_.references_.size());
-        for (size_t i = begin; i < references_.size(); ++i)
-            tree_.references_.push_back(references_[i].element);
+        const auto first = static_cast<uint32_t>(in_leaves_.size());
+        for (size_t i = begin; i < references_.size(); ++i) in_leaves_.push_back(references_[i].element);
         references_.resize(begin);
-        tree_.nodes_[node] = {first, static_cast<uint32_t>(count) << 2 | 3u};
+        nodes_[node].first = first;
+        nodes_[node].count = static_cast<uint32_t>(count);
     }
 
     /// What is left of the bounds on the way down.
@@ -86,39 +89,40 @@ private:
         double references;  ///< that the subtree may make: a bound on duplicates that acts everywhere alike
     };
 
-    void build(uint32_t node, size_t begin, const BoxF& cell, const BoxF& hull, Allowance allowance) {
+    void build(uint32_t node, size_t begin, const BoxF& hull, Allowance allowance) {
         const size_t n = references_.size() - begin;
+        nodes_[node].hull = hull;
         if (n == 0 || allowance.depth == 0 || static_cast<double>(n) >= allowance.references) {
             return make_leaf(node, begin);
         }
         const double leaf_cost = block_cost(n);
-        const Split split = best_split(begin, cell, hull);
+        const Split split = best_split(begin, hull);
         if (split.cost >= leaf_cost) ++allowance.bad_refines;
         if (split.axis < 0 || allowance.bad_refines > most_bad_refines ||
             (split.cost > 4.0 * leaf_cost && n < 16) ||
             (n <= static_cast<size_t>(options_.block) && split.cost >= leaf_cost)) {
             return make_leaf(node, begin);
         }
-        BoxF low_cell = cell;
-        BoxF high_cell = cell;
+        BoxF low_cell = hull;
+        BoxF high_cell = hull;
         low_cell.hi[split.axis] = split.plane;
         high_cell.lo[split.axis] = split.plane;
         BoxF low_hull = empty_box_f;
         BoxF high_hull = empty_box_f;
         const size_t middle = partition(begin, split, low_cell, high_cell, low_hull, high_hull);
 
-        const auto low = static_cast<uint32_t>(tree_.nodes_.size());
-        tree_.nodes_.resize(tree_.nodes_.size() + 2);
-        tree_.nodes_[node] = {std::bit_cast<uint32_t>(split.plane),
-                              low << 2 | static_cast<uint32_t>(split.axis)};
+        const auto low = static_cast<uint32_t>(nodes_.size());
+        nodes_.resize(nodes_.size() + 2);
+        nodes_[node].first = low;
+        nodes_[node].count = BinaryNode::inner;
         const auto n_high = static_cast<double>(references_.size() - middle);
         const auto n_low = static_cast<double>(middle - begin);
         --allowance.depth;
         const double share = allowance.references / std::max(n_low + n_high, 1.0);
         allowance.references = share * n_high;
-        build(low + 1, middle, high_cell, high_hull, allowance);
+        build(low + 1, middle, high_hull, allowance);
         allowance.references = share * n_low;
-        build(low, begin, low_cell, low_hull, allowance);
+        build(low, begin, low_hull, allowance);
     }
 
     /// Cuts a straddling reference down to a child's cell; false if nothing of it is left there.
@@ -141,6 +145,74 @@ private:
         return true;
     }
 
+    /// The parts of a reference at a plane.
+    struct Parts {
+        Reference low;
+        Reference high;
+        bool in_low;
+        bool in_high;
+    };
+    /// References that the children would have.
+    struct Share {
+        size_t low;
+        size_t high;
+    };
+
+    static double area(const BoxF& box) { return box.lo[0] <= box.hi[0] ? half_area(box) : 0.0; }
+    static double area_with(BoxF box, const BoxF& other) {
+        include(box, other);
+        return half_area(box);
+    }
+
+    /// Into `parts_`: cuts the references in [begin, end) at a plane. A child's box may as well become larger
+    /// and hold one whole (Stich, Friedrich and Dietrich 2009); `low` and `high` hold what lies on one side.
+    void share_out(size_t begin, size_t end, const BoxF& low_cell, const BoxF& high_cell, const BoxF& low,
+                   const BoxF& high, const Share& n) {
+        cuts_.clear();
+        BoxF all_low = low;
+        BoxF all_high = high;
+        for (size_t i = begin; i < end; ++i) {
+            Parts& parts = cuts_.emplace_back(Parts{references_[i], references_[i], false, false});
+            parts.in_low = cut(parts.low, low_cell);
+            parts.in_high = cut(parts.high, high_cell);
+            if (parts.in_low) include(all_low, parts.low.box);
+            if (parts.in_high) include(all_high, parts.high.box);
+        }
+        parts_ = cuts_;
+        const double cost = share_out(begin, all_low, all_high, low, high, n);
+        // Without the parts themselves in the boxes fewer are cut; where most are, that is a bad guess.
+        std::swap(parts_, cuts_);
+        if (share_out(begin, low, high, low, high, n) > cost) std::swap(parts_, cuts_);
+    }
+
+    /// By boxes that grow from `low` and `high`; returns the cost by those that grow from the pure ones.
+    double share_out(size_t begin, BoxF low, BoxF high, BoxF pure_low, BoxF pure_high, Share n) {
+        for (size_t i = 0; i < parts_.size(); ++i) {
+            Parts& parts = parts_[i];
+            if (parts.in_low && parts.in_high) {
+                const BoxF& whole = references_[begin + i].box;
+                const auto n_low = static_cast<double>(n.low);
+                const auto n_high = static_cast<double>(n.high);
+                const double in_both =
+                    area_with(low, parts.low.box) * n_low + area_with(high, parts.high.box) * n_high;
+                const double all_low = area_with(low, whole) * n_low + area(high) * (n_high - 1.0);
+                const double all_high = area(low) * (n_low - 1.0) + area_with(high, whole) * n_high;
+                if (n.high > 1 && all_low <= in_both && all_low <= all_high) {
+                    parts.low = references_[begin + i];
+                    parts.in_high = false;
+                    --n.high;
+                } else if (n.low > 1 && all_high <= in_both) {
+                    parts.high = references_[begin + i];
+                    parts.in_low = false;
+                    --n.low;
+                }
+            }
+            if (parts.in_low) include(low, parts.low.box), include(pure_low, parts.low.box);
+            if (parts.in_high) include(high, parts.high.box), include(pure_high, parts.high.box);
+        }
+        return area(pure_low) * static_cast<double>(n.low) + area(pure_high) * static_cast<double>(n.high);
+    }
+
     size_t partition(size_t begin, const Split& split, const BoxF& low_cell, const BoxF& high_cell,
                      BoxF& low_hull, BoxF& high_hull) {
         const int a = split.axis;
@@ -159,19 +231,20 @@ private:
                 ++i;
             }
         }
-        // Now [low | both | high]. Both's low parts stay, its high parts go to the end; one that is cut away
-        // is filled from there.
+        // Now [low | both | high]. What goes low stays, what goes high goes to the end; holes are filled from
+        // there.
+        const Share n{high_begin - begin, references_.size() - low_end};
+        share_out(low_end, high_begin, low_cell, high_cell, low_hull, high_hull, n);
         size_t middle = low_end;
         for (size_t i = low_end; i < high_begin; ++i) {
-            Reference low = references_[i];
-            Reference high = low;
-            if (cut(high, high_cell)) {
-                include(high_hull, high.box);
-                references_.push_back(high);
+            const Parts& parts = parts_[i - low_end];
+            if (parts.in_high) {
+                include(high_hull, parts.high.box);
+                references_.push_back(parts.high);
             }
-            if (cut(low, low_cell)) {
-                include(low_hull, low.box);
-                references_[middle++] = low;
+            if (parts.in_low) {
+                include(low_hull, parts.low.box);
+                references_[middle++] = parts.low;
             }
         }
         for (size_t hole = middle; hole < high_begin; ++hole) {
@@ -211,7 +284,7 @@ private:
     }
 
     template <int bins>
-    Split best_binned(size_t begin, const BoxF& cell, const BoxF& hull) const {
+    Split best_binned(size_t begin, const BoxF& hull) const {
         uint32_t starts[3][bins] = {};
         uint32_t ends[3][bins] = {};
         float scale[3];
@@ -231,9 +304,7 @@ private:
         const size_t n = references_.size() - begin;
         Split best;
         for (int a = 0; a < 3; ++a) {
-            const Axis axis = axis_of(cell, a);
-            consider(best, axis, hull.lo[a], 0, n);
-            consider(best, axis, hull.hi[a], n, 0);
+            const Axis axis = axis_of(hull, a);
             if (scale[a] == 0.0f) continue;
             const float width = 1.0f / scale[a];
             size_t n_low = 0;
@@ -247,11 +318,11 @@ private:
         return best;
     }
 
-    Split best_split(size_t begin, const BoxF& cell, const BoxF& hull) {
+    Split best_split(size_t begin, const BoxF& hull) {
         const size_t n = references_.size() - begin;
-        if (static_cast<int>(n) < options_.sweep_below) return best_swept(begin, cell);
-        if (n > 512) return best_binned<32>(begin, cell, hull);
-        return n > 32 ? best_binned<16>(begin, cell, hull) : best_binned<8>(begin, cell, hull);
+        if (static_cast<int>(n) < options_.sweep_below) return best_swept(begin, hull);
+        if (n > 512) return best_binned<32>(begin, hull);
+        return n > 32 ? best_binned<16>(begin, hull) : best_binned<8>(begin, hull);
     }
 
     /// Every side of every box is a candidate: exact, for small nodes.
@@ -298,7 +369,11 @@ private:
     const KdOptions& options_;
     const KdTree::Clip& clip_;
     std::array<double, 128> block_costs_{};  ///< by element count; rounding to blocks matters for few
+    std::vector<BinaryNode> nodes_;
+    std::vector<uint32_t> in_leaves_;
     std::vector<Reference> references_;
+    std::vector<Parts> parts_;
+    std::vector<Parts> cuts_;
     std::vector<float> lows_;
     std::vector<float> highs_;
     std::vector<float> flats_;

@@ -1,5 +1,7 @@
 #pragma once
+#include "base/huge_pages.h"
 #include "kdtree/box_f.h"
+#include "kdtree/box_ray.h"
 #include "math/ray.h"
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace rb {
@@ -15,14 +18,67 @@ namespace rb {
 struct KdOptions {
     double traversal_cost = 1.5;   ///< of one inner node, in units of one leaf block
     double element_cost = 1.0;     ///< of one leaf block of `block` elements
-    int block = 4;                 ///< elements that cost as much as one (SIMD width, or cache lines)
+    int block = 4;                 ///< elements that are tested at once; leaves hold whole blocks
     int sweep_below = 1 << 14;     ///< nodes with fewer elements look at every plane instead of bins
     double most_references = 3.0;  ///< hard bound on references per element
     int depth = -1;                ///< most levels; -1: 8 + 1.3 log2(n)
 };
 
-/// A kD-tree over numbered elements: planes in single precision, rays in double. Boxes are never enlarged;
-/// the traversal rules keep every hit (docs/architecture.md, "kD-tree"; algorithms 1.3).
+/// Eight boxes, each around what the cell of a node of the tree holds. A child is another such node, or
+/// (leaf_bit) blocks of elements: how many, and the first one; boxes without child are never met.
+struct alignas(32) KdNode {
+    float planes[3][2][8];  ///< by axis, low or high, child
+    uint32_t child[8];
+
+    static constexpr uint32_t leaf_bit = 1u << 31;
+    static constexpr uint32_t most_blocks = 15;
+    static constexpr int count_shift = 27;
+    static uint32_t first_block(uint32_t leaf) { return leaf & ((1u << count_shift) - 1); }
+    static uint32_t block_count(uint32_t leaf) { return leaf >> count_shift & most_blocks; }
+};
+
+/// What waits during a walk, the nearest on top.
+class KdStack {
+public:
+    /// Sorted in, and the nearest of these taken out. `met` is not 0.
+    uint32_t push(const KdNode& node, unsigned met, const float near_of[8]) {
+        const auto child_in = [&](int lane) { return Waiting{near_of[lane], node.child[lane]}; };
+        Waiting nearest = child_in(std::countr_zero(met));
+        const size_t first = count_;
+        for (met &= met - 1; met != 0; met &= met - 1) {
+            Waiting other = child_in(std::countr_zero(met));
+            if (other.near < nearest.near) std::swap(other, nearest);
+            size_t place = count_++;
+            for (; place > first && waiting_[place - 1].near < other.near; --place)
+                waiting_[place] = waiting_[place - 1];
+            waiting_[place] = other;
+        }
+        return nearest.child;
+    }
+    /// False if nothing is left before `far`.
+    bool pop(float far, uint32_t& child) {
+        while (count_ > 0) {
+            const Waiting& top = waiting_[--count_];
+            child = top.child;
+            if (top.near <= far) return true;
+        }
+        return false;
+    }
+
+    static constexpr int most_depth = 60;  ///< of the tree
+
+private:
+    struct Waiting {
+        float near;
+        uint32_t child;
+    };
+    size_t count_ = 0;
+    Waiting waiting_[7 * (most_depth + 12)];
+};
+
+/// A kD-tree over numbered elements, stored as the boxes around what its cells hold: in single precision,
+/// rounded outward. The test of a ray allows for every rounding error (BoxRay), so no element is missed that
+/// the ray may meet (docs/architecture.md, "kD-tree").
 class KdTree {
 public:
     /// The part of an element inside a cell, as a box; may be tighter than its box cut by the cell. Empty
@@ -38,104 +94,59 @@ public:
     KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip = {});
     KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip = {});
 
-    /// Renumbers the elements in the order in which the cells hold them, so that neighbours lie together in
-    /// memory; returns the old number of each new one (elements in no cell are gone).
-    std::vector<uint32_t> renumber();
-
     bool is_empty() const { return nodes_.empty(); }
     const Bounds& bounds() const { return bounds_; }
     size_t node_count() const { return nodes_.size(); }
-    size_t reference_count() const { return references_.size(); }
-    size_t memory() const { return nodes_.size() * sizeof(Node) + references_.size() * sizeof(uint32_t); }
+    /// The elements of all cells, block by block.
+    std::span<const uint32_t> references() const { return references_; }
+    size_t memory() const { return nodes_.size() * sizeof(KdNode) + references_.size() * sizeof(uint32_t); }
 
     /// Walks the cells that the ray meets between `t_min` and `t_max`, near to far, and calls
     /// `leaf(const uint32_t* elements, uint32_t count)` for each; `t_max` is read again after every call, so
     /// the leaf lowers it when it finds a hit. The walk ends early when the leaf returns true. Hits must be
-    /// accepted wherever in the ray's interval they lie, also outside the cell.
+    /// accepted wherever in the ray's interval they lie, also outside the cell. A leaf's last element is
+    /// repeated until its block is full.
     template <class Leaf>
     bool walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const;
 
-    /// Elements of the cell that holds `p`.
-    std::pair<const uint32_t*, uint32_t> cell_of(const Vec3& p) const;
+    /// The same with all boxes of a node at once (kdtree/wide_walk.h).
+    template <class Leaf>
+    bool walk_wide(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const;
 
 private:
     friend class KdBuilder;
-    /// Inner: plane, and index of the low child (the high one follows); leaf: first reference, and count.
-    struct Node {
-        uint32_t plane_or_first;
-        uint32_t link;  ///< axis (3: leaf) in the low two bits, child or count above
-        bool is_leaf() const { return (link & 3u) == 3u; }
-        int axis() const { return static_cast<int>(link & 3u); }
-        uint32_t value() const { return link >> 2; }
-        float plane() const { return std::bit_cast<float>(plane_or_first); }
-    };
+    friend class KdPacker;
 
-    bool clip_ray(const Ray& ray, const Vec3& inverse, double& near, double& far) const;
-
-    std::vector<Node> nodes_;
+    std::vector<KdNode, HugePages<KdNode>> nodes_;
     std::vector<uint32_t> references_;
+    uint32_t block_ = 1;
     Bounds bounds_;
+    float reach_ = 0;  ///< largest coordinate
 };
 
 template <class Leaf>
 bool KdTree::walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const {
     if (nodes_.empty()) return false;
-    const Vec3 inverse = 1.0 / ray.direction;
-    // A hit at t_max itself may lie in a cell that rounding puts just behind it.
-    constexpr double hit_rounding = 1e-13;
-    double near = t_min;
-    double far = t_max + t_max * hit_rounding;
-    if (!clip_ray(ray, inverse, near, far)) return false;
-    // Plain arrays: a vector's [] with a variable index costs a branch.
-    const double origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
-    const double slope[3] = {inverse.x, inverse.y, inverse.z};
-    const uint32_t high_first[3] = {std::signbit(inverse.x) ? 1u : 0u, std::signbit(inverse.y) ? 1u : 0u,
-                                    std::signbit(inverse.z) ? 1u : 0u};
-    struct Waiting {
-        uint32_t node;
-        double near;
-        double far;
-    };
-    Waiting stack[64];
-    int waiting = 0;
+    const BoxRay slabs(ray, Vec3{0.0}, reach_);
+    const float near = slabs.scaled_down(t_min);
+    float far = slabs.scaled_up(t_max);
+    KdStack stack;
     uint32_t at = 0;
-    // Three roundings of the distance to a plane, at most 1.5 ulp each. Negative distances need no care: they
-    // are before `near`, which never is negative, however they are rounded.
-    constexpr double rounding = 8e-16;
-    constexpr double down = 1.0 - rounding;
-    constexpr double up = 1.0 + rounding;
     for (;;) {
-        const Node node = nodes_[at];
-        if (!node.is_leaf()) {
-            const int axis = node.axis();
-            const double t = (static_cast<double>(node.plane()) - origin[axis]) * slope[axis];
-            const double t_low = t * down;
-            const double t_high = t * up;
-            const uint32_t low = node.value();
-            const uint32_t first = low + high_first[axis];
-            const uint32_t second = low + 1 - high_first[axis];
-            // A ray inside the plane gives NaN, which falls through to both children.
-            if (t_low > far) {
-                at = first;
-            } else if (t_high < near) {
-                at = second;
-            } else {
-                stack[waiting++] = {second, t_low > near ? t_low : near, far};
-                if (t_high < far) far = t_high;
-                at = first;
-            }
-            continue;
+        const KdNode& node = nodes_[at];
+        alignas(16) float near_of[8];
+        const unsigned met = slabs.meets(node.planes, near, far, near_of) |
+                             slabs.meets(node.planes, near, far, near_of + 4, 4) << 4;
+        if (met != 0) {
+            at = stack.push(node, met, near_of);
+        } else if (!stack.pop(far, at)) {
+            return false;
         }
-        if (node.value() > 0 && leaf(references_.data() + node.plane_or_first, node.value())) return true;
-        const double limit = t_max + t_max * hit_rounding;
-        for (;;) {
-            if (waiting == 0) return false;
-            const Waiting& next = stack[--waiting];
-            if (next.near > limit) continue;
-            at = next.node;
-            near = next.near;
-            far = next.far < limit ? next.far : limit;
-            break;
+        while ((at & KdNode::leaf_bit) != 0) {
+            if (leaf(references_.data() + block_ * KdNode::first_block(at), block_ * KdNode::block_count(at)))
+                return true;
+            far = slabs.scaled_up(t_max);
+            if (!stack.pop(far, at)) return false;
         }
     }
 }

@@ -2,6 +2,7 @@
 #include "base/diagnostics.h"
 #include "kdtree/kdtree.h"
 #include "scene/shape.h"
+#include "shapes/woop_block.h"
 
 #include <atomic>
 #include <functional>
@@ -28,11 +29,17 @@ struct MeshData {
     std::optional<Bounds> extent;  ///< for min_extent and max_extent, where it is not the mesh's own box
 };
 
+/// How a mesh looks for what a ray meets. All find the same, bit for bit.
+enum class MeshSearch {
+    fastest,      ///< eight triangles and three levels of the tree at once, where the processor can
+    one_by_one,   ///< the tree, one triangle after the other
+    brute_force,  ///< no tree, every ray meets every face
+};
+
 /// A triangle mesh with its own kD-tree, shared by all copies of the object.
 class MeshShape final : public Shape {
 public:
-    /// `brute_force`: no tree, every ray meets every face (the tree's slow twin).
-    MeshShape(std::string_view keyword, MeshData data, bool brute_force = false);
+    MeshShape(std::string_view keyword, MeshData data, MeshSearch search = MeshSearch::fastest);
 
     std::string_view keyword() const override { return keyword_; }
     Bounds bounds() const override { return bounds_; }
@@ -60,8 +67,10 @@ public:
         if (!has_tree_.load(std::memory_order_acquire)) build_tree();
         return tree_;
     }
+    /// Bytes beside the triangles themselves.
+    size_t tree_memory() const { return tree().memory() + blocks_.size() * sizeof(TriangleBlock); }
     void prepare() const override {
-        if (!brute_force_) tree();
+        if (search_ != MeshSearch::brute_force) tree();
     }
 
 private:
@@ -69,16 +78,24 @@ private:
         return Vec3(data_.triangles.vertices[data_.triangles.faces[face][corner]]);
     }
     void build_tree() const;
+    void pack_blocks() const;
     template <bool once, class Take>
     bool each_candidate(const ShapeRay& ray, const double& t_max, Take&& take) const;
+    template <class Take>
+    bool each_by_blocks(const ShapeRay& ray, const double& t_max, Take&& take) const;
+    bool starts_on(const ShapeRay& ray, uint32_t face) const;
+
+    /// Everything that a ray needs is in the tree and the blocks.
+    bool uses_blocks() const { return search_ == MeshSearch::fastest && has_wide(); }
 
     std::string keyword_;
     MeshData data_;
     Bounds bounds_;
     mutable KdTree tree_;
+    mutable std::vector<TriangleBlock, HugePages<TriangleBlock>> blocks_;  ///< of the tree's references
     mutable std::atomic<bool> has_tree_ = false;
     mutable std::mutex building_;
-    bool brute_force_;
+    MeshSearch search_;
 };
 
 /// Unit vertex normals, and the flat faces marked: where the three normals coincide (spec: geometry 10.3).

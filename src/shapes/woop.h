@@ -19,16 +19,21 @@ struct TriangleHit {
 class WoopRay {
 public:
     explicit WoopRay(const Ray& ray) {
+        // Without branches: which axis is the longest is hard to predict.
         const Vec3 size = glm::abs(ray.direction);
-        kz_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-        kx_ = (kz_ + 1) % 3;
-        ky_ = (kx_ + 1) % 3;
-        ox_ = ray.origin[kx_];
-        oy_ = ray.origin[ky_];
-        oz_ = ray.origin[kz_];
-        sz_ = 1.0 / ray.direction[kz_];
-        sx_ = ray.direction[kx_] * sz_;
-        sy_ = ray.direction[ky_] * sz_;
+        const int x_longest = static_cast<int>(size.x > size.y) & static_cast<int>(size.x > size.z);
+        const int y_longest = static_cast<int>(!(size.x > size.y)) & static_cast<int>(size.y > size.z);
+        kz_ = 2 - 2 * x_longest - y_longest;
+        kx_ = kz_ == 2 ? 0 : kz_ + 1;
+        ky_ = kx_ == 2 ? 0 : kx_ + 1;
+        const double* origin = &ray.origin.x;
+        const double* direction = &ray.direction.x;
+        ox_ = origin[kx_];
+        oy_ = origin[ky_];
+        oz_ = origin[kz_];
+        sz_ = 1.0 / direction[kz_];
+        sx_ = direction[kx_] * sz_;
+        sy_ = direction[ky_] * sz_;
     }
 
     /// Edges and vertices belong to every triangle that has them.
@@ -55,6 +60,7 @@ public:
     }
 
 private:
+    friend class WoopBlockRay;
     struct Sheared {
         double ax, ay, az, bx, by, bz, cx, cy, cz;
         double u, v, w;

@@ -1,9 +1,11 @@
 // The tree against brute force with the same kernel: rays of four adversarial families, no difference, equal
 // bits.
+#include "kdtree/wide_walk.h"
 #include "shapes/mesh_shape.h"
 
 #include <cmath>
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -111,10 +113,10 @@ private:
     std::normal_distribution<double> normal_;
 };
 
-void expect_equal(const MeshData& data, int rays) {
-    const MeshShape tree("mesh2", data);
-    const MeshShape brute("mesh2", data, true);
-    EXPECT_LE(tree.tree().reference_count(), 4 * data.triangles.faces.size() + 4096);
+void expect_equal(const MeshData& data, int rays, MeshSearch search) {
+    const MeshShape tree("mesh2", data, search);
+    const MeshShape brute("mesh2", data, MeshSearch::brute_force);
+    EXPECT_LE(tree.tree().references().size(), 4 * data.triangles.faces.size() + 4096);
     Families families(data.triangles);
     for (int family = 0; family < 4; ++family) {
         int differences = 0;
@@ -126,7 +128,7 @@ void expect_equal(const MeshData& data, int rays) {
             const bool hit = tree.closest(query, nullptr, a);
             const bool wanted = brute.closest(query, nullptr, b);
             hits += wanted ? 1 : 0;
-            if (hit != wanted || (hit && (a.t != b.t || a.part != b.part))) ++differences;
+            if (hit != wanted || (hit && (a.t != b.t || a.part != b.part || a.at != b.at))) ++differences;
             if (tree.any(query, nullptr, any) != wanted) ++differences;
             if (wanted) {
                 // Shadow rays that end just before and at the hit.
@@ -142,9 +144,15 @@ void expect_equal(const MeshData& data, int rays) {
     }
 }
 
-TEST(KdTree, LatticeAndSphereEqualBruteForce) { expect_equal(lattice_and_sphere(), 3000); }
+TEST(KdTree, LatticeAndSphereEqualBruteForce) {
+    expect_equal(lattice_and_sphere(), 3000, MeshSearch::fastest);
+    expect_equal(lattice_and_sphere(), 3000, MeshSearch::one_by_one);
+}
 
-TEST(KdTree, SliversEqualBruteForce) { expect_equal(slivers(), 3000); }
+TEST(KdTree, SliversEqualBruteForce) {
+    expect_equal(slivers(), 3000, MeshSearch::fastest);
+    expect_equal(slivers(), 3000, MeshSearch::one_by_one);
+}
 
 TEST(KdTree, RandomTreesGiveTheSameHits) {
     std::mt19937 random(3);
@@ -177,6 +185,7 @@ TEST(KdTree, RandomTreesGiveTheSameHits) {
         }
         return in <= out;
     };
+    size_t visited_by_one = 0;
     for (int trial = 0; trial < 20; ++trial) {
         KdOptions options;
         options.depth = trial * 3;
@@ -185,17 +194,25 @@ TEST(KdTree, RandomTreesGiveTheSameHits) {
         options.sweep_below = trial % 2 ? 0 : 1 << 20;
         options.most_references = 1.0 + trial;
         const KdTree tree(boxes, options);
-        int lost = 0;
-        for (const Ray& ray : rays) {
-            std::vector<bool> offered(boxes.size());
-            const double far = 1e30;
-            tree.walk(ray, 0.0, far, [&](const uint32_t* found, uint32_t count) {
-                for (uint32_t i = 0; i < count; ++i) offered[found[i]] = true;
-                return false;
-            });
-            for (size_t i = 0; i < boxes.size(); ++i) lost += meets(boxes[i], ray) && !offered[i] ? 1 : 0;
+        for (const bool wide : {false, true}) {
+            if (wide && !has_wide()) continue;
+            int lost = 0;
+            size_t visited = 0;
+            for (const Ray& ray : rays) {
+                std::vector<bool> offered(boxes.size());
+                const double far = 1e30;
+                const auto note = [&](const uint32_t* found, uint32_t count) {
+                    visited += count;
+                    for (uint32_t i = 0; i < count; ++i) offered[found[i]] = true;
+                    return false;
+                };
+                wide ? tree.walk_wide(ray, 0.0, far, note) : tree.walk(ray, 0.0, far, note);
+                for (size_t i = 0; i < boxes.size(); ++i) lost += meets(boxes[i], ray) && !offered[i] ? 1 : 0;
+            }
+            EXPECT_EQ(lost, 0) << "trial " << trial << (wide ? ", wide" : "");
+            if (!wide) visited_by_one = visited;
+            EXPECT_EQ(visited, visited_by_one) << "trial " << trial;
         }
-        EXPECT_EQ(lost, 0) << "trial " << trial;
     }
 }
 
@@ -229,8 +246,9 @@ TEST(KdTree, LeavesOutWhatIsNoBox) {
     boxes[5] = {{0, nan, 0}, {1, 1, nan}};
     boxes[7] = {{-inf, 0, 0}, {inf, 1, 1}};
     boxes[9] = {{0, 0, 0}, {1, inf, 1}};
-    KdTree tree(boxes, {});
-    EXPECT_EQ(tree.renumber().size(), 36u);
+    const KdTree tree(boxes, {});
+    const std::set<uint32_t> held(tree.references().begin(), tree.references().end());
+    EXPECT_EQ(held.size(), 36u);
     EXPECT_TRUE(tree.bounds().is_finite());
 }
 
