@@ -16,7 +16,7 @@ Image decode_targa(std::string_view bytes);   ///< types 1, 2, 3, 9, 10, 11
 Image decode_gif(std::string_view bytes);     ///< the first picture
 Image decode_bmp(std::string_view bytes);     ///< without or with run lengths
 Image decode_jpeg(std::string_view bytes);
-Image decode_pot(std::string_view bytes);     ///< a GIF whose right half holds the low bytes
+Image decode_pot(std::string_view bytes);  ///< a GIF whose right half holds the low bytes
 
 /// An image without samples, after a look at whether so small a file can hold it: no more than `most_ratio`
 /// pixels a byte. Throws IoError.

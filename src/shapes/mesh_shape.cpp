@@ -2,6 +2,7 @@
 
 #include "kdtree/wide_walk.h"
 #include "shapes/nearest_face.h"
+#include "shapes/woop_block.h"
 
 #include <algorithm>
 
@@ -55,6 +56,8 @@ void MeshShape::build_tree() const {
     if (uses_blocks()) pack_blocks();
     has_tree_.store(true, std::memory_order_release);
 }
+
+bool MeshShape::uses_blocks() const { return search_ == MeshSearch::fastest && has_wide(); }
 
 void MeshShape::pack_blocks() const {
     const auto faces = tree_.references();

@@ -2,7 +2,7 @@
 #include "base/diagnostics.h"
 #include "kdtree/kdtree.h"
 #include "scene/shape.h"
-#include "shapes/woop_block.h"
+#include "shapes/triangle_block.h"
 
 #include <atomic>
 #include <functional>
@@ -86,7 +86,7 @@ private:
     bool starts_on(const ShapeRay& ray, uint32_t face) const;
 
     /// Everything that a ray needs is in the tree and the blocks.
-    bool uses_blocks() const { return search_ == MeshSearch::fastest && has_wide(); }
+    bool uses_blocks() const;
 
     std::string keyword_;
     MeshData data_;
