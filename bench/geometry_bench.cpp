@@ -1,5 +1,6 @@
 // Rays per second of the geometry queries on scenes made here. Usage: geometry_bench [scene]
 #include "block/reader.h"
+#include "bumpy.h"
 #include "compile/geometry.h"
 #include "shapes/mesh_shape.h"
 #include "shapes/registry.h"
@@ -45,22 +46,6 @@ void add_numbers(Block& block, int terms, const std::vector<double>& values) {
     block.numbers.insert(block.numbers.end(), values.begin(), values.end());
 }
 
-std::shared_ptr<Block> list_block(std::string keyword, int terms, const std::vector<double>& values) {
-    auto block = std::make_shared<Block>();
-    block->keyword = std::move(keyword);
-    add_numbers(*block, 1, {static_cast<double>(values.size() / static_cast<size_t>(terms))});
-    add_numbers(*block, terms, values);
-    block->numbers.shrink_to_fit();
-    return block;
-}
-
-void add_block(Block& outer, std::shared_ptr<const Block> inner) {
-    Item item;
-    item.kind = Item::Kind::block;
-    item.block = std::move(inner);
-    outer.items.push_back(std::move(item));
-}
-
 ShapePtr read_shape(const Block& block) {
     Diagnostics diagnostics;
     ReadContext context;
@@ -74,34 +59,6 @@ ShapePtr simple(std::string_view keyword, std::initializer_list<std::vector<doub
     block.keyword = keyword;
     for (const auto& a : arguments) add_numbers(block, static_cast<int>(a.size()), a);
     return read_shape(block);
-}
-
-/// A displaced sphere of 2 * rings * turns triangles: "bumpy" of the measurements.
-Block bumpy_mesh(int rings, int turns) {
-    std::vector<double> vertices;
-    std::vector<double> faces;
-    for (int i = 0; i <= rings; ++i) {
-        for (int j = 0; j < turns; ++j) {
-            const double a = pi * i / rings;
-            const double b = 2 * pi * j / turns;
-            const double r =
-                1 + 0.05 * std::sin(9 * a) * std::sin(11 * b) + 0.01 * std::sin(70 * a) * std::cos(80 * b);
-            vertices.insert(vertices.end(),
-                            {r * std::sin(a) * std::cos(b), r * std::cos(a), r * std::sin(a) * std::sin(b)});
-        }
-    }
-    for (int i = 0; i < rings; ++i) {
-        for (int j = 0; j < turns; ++j) {
-            const double p = i * turns + j;
-            const double q = i * turns + (j + 1) % turns;
-            faces.insert(faces.end(), {p, q + turns, q, p, p + turns, q + turns});
-        }
-    }
-    Block mesh;
-    mesh.keyword = "mesh2";
-    add_block(mesh, list_block("vertex_vectors", 3, vertices));
-    add_block(mesh, list_block("face_indices", 3, faces));
-    return mesh;
 }
 
 TexturePtr plain_texture() {
@@ -211,17 +168,14 @@ void measure(std::string_view name, const World& world) {
            static_cast<double>(count) / static_cast<double>(shadow.size()));
 }
 
-void bumpy() {
-    Block block = bumpy_mesh(500, 1000);
-    fmt::print("block ready: {}\n", memory());
+void million_triangles() {
     const double start = seconds();
-    const ShapePtr mesh = read_shape(block);
-    fmt::print("mesh2 of 1,000,000 triangles: read and tree {:.2f} s; {}; {}\n", seconds() - start,
+    const auto mesh = std::make_shared<MeshShape>("mesh2", MeshData{.triangles = bumpy(1000000)});
+    mesh->prepare();
+    fmt::print("mesh2 of 1,000,000 triangles: made and tree {:.2f} s; {}; {}\n", seconds() - start,
                mesh->describe(), memory());
-    const auto& shape = static_cast<const MeshShape&>(*mesh);
-    fmt::print("{} nodes, {} references, {:.1f} MB\n", shape.tree().node_count(),
-               shape.tree().references().size(), static_cast<double>(shape.tree_memory()) * 1e-6);
-    block = {};
+    fmt::print("{} nodes, {} references, {:.1f} MB\n", mesh->tree().node_count(),
+               mesh->tree().references().size(), static_cast<double>(mesh->tree_memory()) * 1e-6);
     BenchScene scene;
     scene.add_room();
     scene.add(mesh);
@@ -315,7 +269,7 @@ void few() {
 
 int main(int argc, char** argv) {
     const auto wanted = [&](const char* name) { return argc < 2 || std::strcmp(argv[1], name) == 0; };
-    if (wanted("bumpy")) bumpy();
+    if (wanted("bumpy")) million_triangles();
     if (wanted("spheres")) spheres();
     if (wanted("many")) many();
     if (wanted("boxes")) boxes();

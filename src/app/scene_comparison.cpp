@@ -2,8 +2,8 @@
 
 #include "base/diagnostics.h"
 #include "base/temporary_file.h"
+#include "base/whole_file.h"
 #include "image/file.h"
-#include "language/open_file.h"
 
 #include <charconv>
 #include <filesystem>

@@ -1,24 +1,14 @@
 #include "image/decode.h"
 
 #include "base/diagnostics.h"
+#include "base/whole_file.h"
 #include "image/codec.h"
-
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 
 namespace rb {
 
 namespace {
-
-std::string bytes_of(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw IoError(fmt::format("cannot read '{}': {}", path, std::strerror(errno)));
-    return std::string(std::istreambuf_iterator<char>(in), {});
-}
 
 Image decode(std::string_view bytes, ImageType type) {
     switch (type) {
@@ -53,9 +43,10 @@ Image decode_image(const std::string& path, ImageType type) {
     if (is_for_oiio(type)) {
         image = read_samples_with_oiio(path, type);
     } else {
-        const std::string bytes = bytes_of(path);
+        const auto bytes = read_whole_file(path);
+        if (!bytes) throw IoError(fmt::format("cannot read '{}'", path));
         try {
-            image = decode(bytes, type);
+            image = decode(*bytes, type);
         } catch (const IoError& error) {
             throw IoError(fmt::format("cannot read '{}': {}", path, error.what()));
         }

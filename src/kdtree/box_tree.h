@@ -1,5 +1,6 @@
 #pragma once
 #include "kdtree/box_ray.h"
+#include "kdtree/walk_stack.h"
 
 #include <algorithm>
 #include <bit>
@@ -62,47 +63,22 @@ bool BoxTree::walk(const Ray& ray, RayMask mask, double t_min, const double& t_m
     const float near = slabs.scaled_down(t_min);
     float far = slabs.scaled_up(t_max);
     const bool selects = (common_mask_ & mask) == 0;
-    struct Waiting {
-        float near;
-        uint32_t child;
-    };
-    Waiting stack[256];
-    int waiting = 0;
-    const auto pop = [&](uint32_t& child) {
-        while (waiting > 0) {
-            const Waiting& top = stack[--waiting];
-            child = top.child;
-            if (top.near <= far) return true;
-        }
-        return false;
-    };
+    WalkStack<256> stack;
     uint32_t at = 0;
     for (;;) {
         const Node& node = nodes_[at];
         alignas(16) float near_of[4];
         unsigned met = slabs.meets(node.planes, near, far, near_of);
         if (selects) met &= node.lanes_with(mask);
-        if (met == 0) {
-            if (!pop(at)) return false;
-        } else {
-            const auto child_in = [&](int lane) { return Waiting{near_of[lane], node.child[lane]}; };
-            Waiting nearest = child_in(std::countr_zero(met));
-            // The nearest goes on; of the others the nearest is on top.
-            const int first = waiting;
-            for (met &= met - 1; met != 0; met &= met - 1) {
-                Waiting other = child_in(std::countr_zero(met));
-                if (other.near < nearest.near) std::swap(other, nearest);
-                int place = waiting++;
-                for (; place > first && stack[place - 1].near < other.near; --place)
-                    stack[place] = stack[place - 1];
-                stack[place] = other;
-            }
-            at = nearest.child;
+        if (met != 0) {
+            at = stack.push(node.child, met, near_of);
+        } else if (!stack.pop(far, at)) {
+            return false;
         }
         while (at & element_bit) {
             if (visit(at & ~element_bit)) return true;
             far = slabs.scaled_up(t_max);
-            if (!pop(at)) return false;
+            if (!stack.pop(far, at)) return false;
         }
     }
 }

@@ -55,7 +55,7 @@ public:
             tree_.reach_ = std::max({tree_.reach_, std::abs(hull.lo[axis]), std::abs(hull.hi[axis])});
         tree_.block_ = static_cast<uint32_t>(options.block);
         nodes_.emplace_back();
-        build(0, 0, hull, {std::min(depth, KdStack::most_depth), 0, options.most_references * n + 4096.0});
+        build(0, 0, hull, {std::min(depth, KdTree::most_depth), 0, options.most_references * n + 4096.0});
         references_ = {};
         KdPacker(tree_, nodes_, in_leaves_);
     }
@@ -318,51 +318,10 @@ private:
         return best;
     }
 
-    Split best_split(size_t begin, const BoxF& hull) {
+    Split best_split(size_t begin, const BoxF& hull) const {
         const size_t n = references_.size() - begin;
-        if (static_cast<int>(n) < options_.sweep_below) return best_swept(begin, hull);
         if (n > 512) return best_binned<32>(begin, hull);
         return n > 32 ? best_binned<16>(begin, hull) : best_binned<8>(begin, hull);
-    }
-
-    /// Every side of every box is a candidate: exact, for small nodes.
-    Split best_swept(size_t begin, const BoxF& cell) {
-        const size_t n = references_.size() - begin;
-        Split best;
-        for (int axis = 0; axis < 3; ++axis) {
-            const Axis planes = axis_of(cell, axis);
-            lows_.clear();
-            highs_.clear();
-            flats_.clear();
-            for (size_t i = begin; i < references_.size(); ++i) {
-                const BoxF& b = references_[i].box;
-                if (b.lo[axis] == b.hi[axis]) {
-                    flats_.push_back(b.lo[axis]);
-                } else {
-                    lows_.push_back(b.lo[axis]);
-                    highs_.push_back(b.hi[axis]);
-                }
-            }
-            std::sort(lows_.begin(), lows_.end());
-            std::sort(highs_.begin(), highs_.end());
-            std::sort(flats_.begin(), flats_.end());
-            size_t lo = 0;
-            size_t hi = 0;
-            size_t flat = 0;
-            while (lo < lows_.size() || hi < highs_.size() || flat < flats_.size()) {
-                float plane = inf;
-                if (lo < lows_.size()) plane = lows_[lo];
-                if (hi < highs_.size()) plane = std::min(plane, highs_[hi]);
-                if (flat < flats_.size()) plane = std::min(plane, flats_[flat]);
-                // Low side: starts below the plane, and what lies in it.
-                const size_t started = lo;
-                while (lo < lows_.size() && lows_[lo] == plane) ++lo;
-                while (hi < highs_.size() && highs_[hi] == plane) ++hi;
-                while (flat < flats_.size() && flats_[flat] == plane) ++flat;
-                consider(best, planes, plane, started + flat, n - hi - flat);
-            }
-        }
-        return best;
     }
 
     KdTree& tree_;
@@ -374,9 +333,6 @@ private:
     std::vector<Reference> references_;
     std::vector<Parts> parts_;
     std::vector<Parts> cuts_;
-    std::vector<float> lows_;
-    std::vector<float> highs_;
-    std::vector<float> flats_;
 };
 
 KdTree::KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip) {

@@ -2,14 +2,15 @@
 #include "base/huge_pages.h"
 #include "kdtree/box_f.h"
 #include "kdtree/box_ray.h"
+#include "kdtree/walk_stack.h"
 #include "math/ray.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,7 +20,6 @@ struct KdOptions {
     double traversal_cost = 1.5;   ///< of one inner node, in units of one leaf block
     double element_cost = 1.0;     ///< of one leaf block of `block` elements
     int block = 4;                 ///< elements that are tested at once; leaves hold whole blocks
-    int sweep_below = 1 << 14;     ///< nodes with fewer elements look at every plane instead of bins
     double most_references = 3.0;  ///< hard bound on references per element
     int depth = -1;                ///< most levels; -1: 8 + 1.3 log2(n)
 };
@@ -35,45 +35,6 @@ struct alignas(32) KdNode {
     static constexpr int count_shift = 27;
     static uint32_t first_block(uint32_t leaf) { return leaf & ((1u << count_shift) - 1); }
     static uint32_t block_count(uint32_t leaf) { return leaf >> count_shift & most_blocks; }
-};
-
-/// What waits during a walk, the nearest on top.
-class KdStack {
-public:
-    /// Sorted in, and the nearest of these taken out. `met` is not 0.
-    uint32_t push(const KdNode& node, unsigned met, const float near_of[8]) {
-        const auto child_in = [&](int lane) { return Waiting{near_of[lane], node.child[lane]}; };
-        Waiting nearest = child_in(std::countr_zero(met));
-        const size_t first = count_;
-        for (met &= met - 1; met != 0; met &= met - 1) {
-            Waiting other = child_in(std::countr_zero(met));
-            if (other.near < nearest.near) std::swap(other, nearest);
-            size_t place = count_++;
-            for (; place > first && waiting_[place - 1].near < other.near; --place)
-                waiting_[place] = waiting_[place - 1];
-            waiting_[place] = other;
-        }
-        return nearest.child;
-    }
-    /// False if nothing is left before `far`.
-    bool pop(float far, uint32_t& child) {
-        while (count_ > 0) {
-            const Waiting& top = waiting_[--count_];
-            child = top.child;
-            if (top.near <= far) return true;
-        }
-        return false;
-    }
-
-    static constexpr int most_depth = 60;  ///< of the tree
-
-private:
-    struct Waiting {
-        float near;
-        uint32_t child;
-    };
-    size_t count_ = 0;
-    Waiting waiting_[7 * (most_depth + 12)];
 };
 
 /// A kD-tree over numbered elements, stored as the boxes around what its cells hold: in single precision,
@@ -116,6 +77,8 @@ public:
 private:
     friend class KdBuilder;
     friend class KdPacker;
+    class Walk;
+    static constexpr int most_depth = 60;
 
     std::vector<KdNode, HugePages<KdNode>> nodes_;
     std::vector<uint32_t> references_;
@@ -124,30 +87,61 @@ private:
     float reach_ = 0;  ///< largest coordinate
 };
 
+/// A walk between two tests of a node's boxes.
+class KdTree::Walk {
+public:
+    Walk(const KdTree& tree, const Ray& ray, double t_min, const double& t_max)
+        : slabs(ray, Vec3{0.0}, tree.reach_),
+          near(slabs.scaled_down(t_min)),
+          tree_(tree),
+          t_max_(t_max),
+          far_(slabs.scaled_up(t_max)) {}
+
+    const KdNode& node() const { return tree_.nodes_[at_]; }
+    float far() const { return far_; }
+
+    /// To the next node, through the leaves before it. Empty if there is one, else whether a leaf ended the
+    /// walk.
+    template <class Leaf>
+    inline __attribute__((always_inline)) std::optional<bool> go_on(unsigned met, const float* near_of,
+                                                                    Leaf& leaf) {
+        if (met != 0) {
+            at_ = stack_.push(node().child, met, near_of);
+        } else if (!stack_.pop(far_, at_)) {
+            return false;
+        }
+        const uint32_t block = tree_.block_;
+        while ((at_ & KdNode::leaf_bit) != 0) {
+            if (leaf(tree_.references_.data() + block * KdNode::first_block(at_),
+                     block * KdNode::block_count(at_)))
+                return true;
+            far_ = slabs.scaled_up(t_max_);
+            if (!stack_.pop(far_, at_)) return false;
+        }
+        return std::nullopt;
+    }
+
+    const BoxRay slabs;
+    const float near;
+
+private:
+    const KdTree& tree_;
+    const double& t_max_;
+    float far_;
+    uint32_t at_ = 0;
+    WalkStack<7 * (most_depth + 12)> stack_;
+};
+
 template <class Leaf>
 bool KdTree::walk(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const {
     if (nodes_.empty()) return false;
-    const BoxRay slabs(ray, Vec3{0.0}, reach_);
-    const float near = slabs.scaled_down(t_min);
-    float far = slabs.scaled_up(t_max);
-    KdStack stack;
-    uint32_t at = 0;
+    Walk walk(*this, ray, t_min, t_max);
     for (;;) {
-        const KdNode& node = nodes_[at];
+        const auto& planes = walk.node().planes;
         alignas(16) float near_of[8];
-        const unsigned met = slabs.meets(node.planes, near, far, near_of) |
-                             slabs.meets(node.planes, near, far, near_of + 4, 4) << 4;
-        if (met != 0) {
-            at = stack.push(node, met, near_of);
-        } else if (!stack.pop(far, at)) {
-            return false;
-        }
-        while ((at & KdNode::leaf_bit) != 0) {
-            if (leaf(references_.data() + block_ * KdNode::first_block(at), block_ * KdNode::block_count(at)))
-                return true;
-            far = slabs.scaled_up(t_max);
-            if (!stack.pop(far, at)) return false;
-        }
+        const unsigned met = walk.slabs.meets(planes, walk.near, walk.far(), near_of) |
+                             walk.slabs.meets(planes, walk.near, walk.far(), near_of + 4, 4) << 4;
+        if (const auto end = walk.go_on(met, near_of, leaf)) return *end;
     }
 }
 

@@ -2,6 +2,8 @@
 #include "kdtree/kdtree.h"
 #include "math/wide.h"
 
+#include <bit>
+
 namespace rb {
 
 /// BoxRay for eight boxes.
@@ -59,28 +61,14 @@ inline void prefetch_nodes(const KdNode* nodes, const KdNode& parent, unsigned m
 template <class Leaf>
 RB_WIDE bool KdTree::walk_wide(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const {
     if (nodes_.empty()) return false;
-    const BoxRay slabs(ray, Vec3{0.0}, reach_);
-    const WideBoxRay wide(slabs);
-    const float near = slabs.scaled_down(t_min);
-    float far = slabs.scaled_up(t_max);
-    KdStack stack;
-    uint32_t at = 0;
+    Walk walk(*this, ray, t_min, t_max);
+    const WideBoxRay wide(walk.slabs);
     for (;;) {
-        const KdNode& node = nodes_[at];
+        const KdNode& node = walk.node();
         alignas(32) float near_of[8];
-        const unsigned met = wide.meets(node, near, far, near_of);
-        if (met != 0) {
-            prefetch_nodes(nodes_.data(), node, met);
-            at = stack.push(node, met, near_of);
-        } else if (!stack.pop(far, at)) {
-            return false;
-        }
-        while ((at & KdNode::leaf_bit) != 0) {
-            if (leaf(references_.data() + block_ * KdNode::first_block(at), block_ * KdNode::block_count(at)))
-                return true;
-            far = slabs.scaled_up(t_max);
-            if (!stack.pop(far, at)) return false;
-        }
+        const unsigned met = wide.meets(node, walk.near, walk.far(), near_of);
+        prefetch_nodes(nodes_.data(), node, met);
+        if (const auto end = walk.go_on(met, near_of, leaf)) return *end;
     }
 }
 

@@ -1,4 +1,5 @@
 // #fopen, #fclose, #read, #write.
+#include "base/whole_file.h"
 #include "language/find_file.h"
 #include "language/open_file.h"
 #include "language/parser.h"

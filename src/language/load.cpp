@@ -1,5 +1,6 @@
 #include "language/load.h"
 
+#include "base/whole_file.h"
 #include "language/find_file.h"
 #include "language/open_file.h"
 #include "language/parser.h"

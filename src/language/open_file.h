@@ -25,6 +25,4 @@ struct OpenFile {
     std::FILE* out = nullptr;
 };
 
-std::optional<std::string> read_whole_file(const std::string& path);
-
 }  // namespace rb

@@ -1,13 +1,14 @@
 #include "radiosity/light_file.h"
 
+#include "base/diagnostics.h"
 #include "base/temporary_file.h"
+#include "base/whole_file.h"
 #include "math/random.h"
 
 #include <bit>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -120,13 +121,9 @@ private:
     bool failed_ = false;
 };
 
-std::string failure(std::string_view what, const std::string& path) {
-    return fmt::format("Could not {} the radiosity file {}: {}.", what, path, std::strerror(errno));
-}
-
 }  // namespace
 
-std::string write_light(const std::string& path, StoredLight light) {
+void write_light(const std::string& path, StoredLight light) {
     Writer fields;
     LightFields<Writer>{fields}.pass(light);
     Header header;
@@ -137,27 +134,28 @@ std::string write_light(const std::string& path, StoredLight light) {
     out.write(reinterpret_cast<const char*>(&header), sizeof header);
     out.write(fields.bytes().data(), static_cast<std::streamsize>(fields.bytes().size()));
     out.close();
-    return out && file.put_in_place(path) ? std::string() : failure("write", path);
+    if (!out || !file.put_in_place(path))
+        throw IoError(fmt::format("Could not write the radiosity file {}: {}.", path, std::strerror(errno)));
 }
 
-std::string read_light(const std::string& path, StoredLight& light) {
-    std::ifstream in(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    if (!in) return failure("read", path);
+StoredLight read_light(const std::string& path) {
+    const auto bytes = read_whole_file(path);
+    if (!bytes) throw IoError(fmt::format("Could not read the radiosity file {}.", path));
     const Header expected;
     Header header;
-    std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof header));
-    if (bytes.size() < sizeof header || header.kind != expected.kind)
-        return fmt::format("{} is no radiosity file of RenderBoy.", path);
+    std::memcpy(&header, bytes->data(), std::min(bytes->size(), sizeof header));
+    if (bytes->size() < sizeof header || header.kind != expected.kind)
+        throw IoError(fmt::format("{} is no radiosity file of RenderBoy.", path));
     if (header.version != expected.version)
-        return fmt::format("The radiosity file {} has version {}, not {}.", path, header.version,
-                           expected.version);
-    const std::string_view fields = std::string_view(bytes).substr(sizeof header);
-    if (fields.size() < header.size) return fmt::format("The radiosity file {} is cut short.", path);
+        throw IoError(fmt::format("The radiosity file {} has version {}, not {}.", path, header.version,
+                                  expected.version));
+    const std::string_view fields = std::string_view(*bytes).substr(sizeof header);
+    if (fields.size() < header.size) throw IoError(fmt::format("The radiosity file {} is cut short.", path));
+    StoredLight light;
     Reader reader(fields);
     if (hash_of(fields) == header.hash) LightFields<Reader>{reader}.pass(light);
-    if (!reader.is_complete()) return fmt::format("The radiosity file {} is damaged.", path);
-    return {};
+    if (!reader.is_complete()) throw IoError(fmt::format("The radiosity file {} is damaged.", path));
+    return light;
 }
 
 }  // namespace rb

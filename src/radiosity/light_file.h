@@ -18,8 +18,8 @@ struct StoredLight {
 
 /// Files of a format of our own: "RBLIGHT", its version, the number of bytes that follow, their hash, and
 /// the fields of StoredLight in order, lists with their lengths before them. Little-endian, nothing is
-/// rounded. Empty text if it went well, else what went wrong; nothing half-written is left behind.
-std::string write_light(const std::string& path, StoredLight light);
-std::string read_light(const std::string& path, StoredLight& light);
+/// rounded. Both throw IoError; nothing half-written is left behind.
+void write_light(const std::string& path, StoredLight light);
+StoredLight read_light(const std::string& path);
 
 }  // namespace rb

@@ -58,16 +58,12 @@ void Radiosity::prepare(const PictureSurvey& survey, int longer_side, int thread
     if (!files.load.empty()) load(files.load);
     if (files.load.empty() || !files.save.empty()) learn(survey, longer_side, threads, stop);
     if (files.save.empty() || stop.load(std::memory_order_relaxed)) return;
-    const std::string problem = write_light(files.save, cached_->stored());
-    if (!problem.empty()) throw SceneError(SourceRange{}, problem);
+    write_light(files.save, cached_->stored());
 }
 
 void Radiosity::load(const std::string& path) {
-    StoredLight light;
-    std::string problem = read_light(path, light);
-    if (problem.empty() && !cached_->restore(light))
-        problem = "The radiosity file " + path + " was made for another scene or with other settings.";
-    if (!problem.empty()) throw SceneError(SourceRange{}, problem);
+    if (cached_->restore(read_light(path))) return;
+    throw IoError("The radiosity file " + path + " was made for another scene or with other settings.");
 }
 
 void Radiosity::learn(const PictureSurvey& survey, int longer_side, int threads,

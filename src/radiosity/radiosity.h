@@ -58,7 +58,7 @@ public:
 
     /// Before light() is asked. `longer_side`: of the picture, in pixels. Ends soon once `stop` is true. What
     /// is loaded is all that is known, unless it is to be saved again: then the picture adds what it lacks.
-    /// Throws SceneError where a file is not what it should be. GiMode::brute has no use for files.
+    /// Throws IoError where a file is not what it should be. GiMode::brute has no use for files.
     void prepare(const PictureSurvey& survey, int longer_side, int threads, const std::atomic<bool>& stop,
                  const RadiosityFiles& files = {});
 

@@ -106,6 +106,7 @@ struct Texture {
     PatternModifiers modifiers;
     BlendMap<std::shared_ptr<const std::vector<Texture>>> map;
     bool average = false;
+    /// The children are evaluated at (u, v, 0); what `modifiers` transform is the normals.
     bool uv_mapping = false;
 
     bool is_patterned() const { return pattern != nullptr || average || !map.empty(); }

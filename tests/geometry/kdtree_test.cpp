@@ -191,7 +191,6 @@ TEST(KdTree, RandomTreesGiveTheSameHits) {
         options.depth = trial * 3;
         options.traversal_cost = 0.05 * (1 + trial % 7);
         options.block = 1 + trial % 3;
-        options.sweep_below = trial % 2 ? 0 : 1 << 20;
         options.most_references = 1.0 + trial;
         const KdTree tree(boxes, options);
         for (const bool wide : {false, true}) {

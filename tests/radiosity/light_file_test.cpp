@@ -33,8 +33,8 @@ protected:
         std::ofstream(path_, std::ios::binary) << bytes;
         try {
             with({path_, {}});
-        } catch (const SceneError& error) {
-            return error.diagnostic().message;
+        } catch (const IoError& error) {
+            return error.what();
         }
         return "";
     }
@@ -93,11 +93,11 @@ TEST_F(LightFile, BadFilesAreSaid) {
 
 TEST_F(LightFile, OtherSettingsAreSaid) {
     with({{}, path_});
-    EXPECT_THROW(with({path_, {}}, GiMode::cache), SceneError);
-    EXPECT_THROW(with({path_, {}}, GiMode::points, "count 30 error_bound 0.2"), SceneError);
-    EXPECT_THROW(with({path_, {}}, GiMode::points, "count 30 recursion_limit 1"), SceneError);
-    EXPECT_THROW(with({path_ + ".missing", {}}), SceneError);
-    EXPECT_THROW(with({{}, path_ + "/no/folder"}), SceneError);
+    EXPECT_THROW(with({path_, {}}, GiMode::cache), IoError);
+    EXPECT_THROW(with({path_, {}}, GiMode::points, "count 30 error_bound 0.2"), IoError);
+    EXPECT_THROW(with({path_, {}}, GiMode::points, "count 30 recursion_limit 1"), IoError);
+    EXPECT_THROW(with({path_ + ".missing", {}}), IoError);
+    EXPECT_THROW(with({{}, path_ + "/no/folder"}), IoError);
 }
 
 }  // namespace
