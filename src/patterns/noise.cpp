@@ -20,7 +20,7 @@ struct Centered {
     }
 };
 
-Octaves single(double scale) {
+Octaves single_octave(double scale) {
     Octaves octaves;
     octaves.scale[0] = scale;
     return octaves;
@@ -75,12 +75,12 @@ RB_FOR_EACH_TARGET void noise(std::span<const Vec3> points, double scale, int ge
                               std::span<double> values) {
     with_noise(generator, [&](const auto& kind) RB_INLINED {
         sum_octaves(
-            kind, points, single(scale), [](Quad&, int) RB_INLINED {}, values);
+            kind, points, single_octave(scale), [](Quad&, int) RB_INLINED {}, values);
     });
 }
 
 void vector_noise(std::span<const Vec3> points, double scale, std::span<Vec3> values) {
-    vector_octaves(points, single(scale), values);
+    vector_octaves(points, single_octave(scale), values);
 }
 
 RB_FOR_EACH_TARGET double noise(const Vec3& p, int generator) {

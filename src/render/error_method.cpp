@@ -14,10 +14,10 @@ constexpr uint32_t fewest_samples = 8;
 /// A pixel has at least this share of the samples of the pixels around it.
 constexpr uint32_t least_share = 4;
 
-constexpr size_t channels = 4;  // red, green, blue, transmit
+constexpr size_t components = 4;  // red, green, blue, transmit
 
 /// A pixel's samples, as the sums of their quarters.
-class Pixel {
+class QuarteredPixel {
 public:
     uint32_t count() const { return count_; }
     /// The next samples are as many as there are: two of the quarters.
@@ -49,13 +49,13 @@ public:
     }
 
 private:
-    std::array<std::array<double, quarters>, channels> sums_{};
+    std::array<std::array<double, quarters>, components> sums_{};
     uint32_t count_ = 0;
     uint32_t per_quarter_ = fewest_samples / quarters;
 };
 
 /// The greatest error of a channel as a picture shows it.
-double shown_error(const Pixel& pixel, const SampleDistance& distance) {
+double shown_error(const QuarteredPixel& pixel, const SampleDistance& distance) {
     const auto shown = [&](double v) {
         return distance.encoded(static_cast<float>(std::clamp(v, 0.0, 1.0)));
     };
@@ -73,7 +73,7 @@ double shown_error(const Pixel& pixel, const SampleDistance& distance) {
 void render_by_error(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
                      const SampleDistance& distance, std::span<Radiance> out) {
     PixelSamples samples(sampler, block);
-    std::vector<Pixel> pixels(samples.pixel_count());
+    std::vector<QuarteredPixel> pixels(samples.pixel_count());
     const auto take = [&](uint32_t pixel, const Radiance& light) { pixels[pixel].add(light); };
     std::vector<PixelSamples::Wanted> wanted;
     for (uint32_t i = 0; i < pixels.size(); ++i) wanted.push_back({i, 0, fewest_samples});

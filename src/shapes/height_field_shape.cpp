@@ -13,7 +13,7 @@ namespace rb {
 namespace {
 
 /// Bound on the relative error of a computed distance to a grid line, with room.
-constexpr double rounding = 4e-15;
+constexpr double relative_error = 4e-15;
 /// What lies this far below the water is seen, as in the reference: grid units.
 constexpr double water_margin = 0.001;
 constexpr double full_height = 65536.0;
@@ -165,7 +165,7 @@ struct HeightField::Node {
     double near, far;
 };
 
-/// The squares that a ray in grid space meets, near to far. Every way is widened by the rounding errors, so
+/// The squares that a ray in grid space meets, near to far. Every way is widened by its relative error, so
 /// that no cell is missed.
 class HeightField::Walk {
 public:
@@ -207,8 +207,8 @@ public:
 
 private:
     static void narrow(Node& node, double near, double far) {
-        near -= rounding * std::abs(near);
-        far += rounding * std::abs(far);
+        near -= relative_error * std::abs(near);
+        far += relative_error * std::abs(far);
         if (near > node.near) node.near = near;
         if (far < node.far) node.far = far;
     }
@@ -217,7 +217,7 @@ private:
         const HeightGrid::Range range = grid_.range(node.level, node.x, node.z);
         const double a = node.near * ray_.direction.y;
         const double b = node.far * ray_.direction.y;
-        const double slack = rounding * (std::abs(ray_.origin.y) + std::abs(a) + std::abs(b));
+        const double slack = relative_error * (std::abs(ray_.origin.y) + std::abs(a) + std::abs(b));
         const double lo = ray_.origin.y + std::min(a, b) - slack;
         const double hi = ray_.origin.y + std::max(a, b) + slack;
         return lo > range.hi || hi < range.lo || hi < floor_ || range.hi < floor_;
@@ -244,7 +244,7 @@ private:
             return {{origin > line ? high : low, low}, 1};
         }
         const double t = (line - origin) * inverse;
-        const double error = rounding * std::abs(t);
+        const double error = relative_error * std::abs(t);
         Half near = direction > 0.0 ? low : high;
         Half far = direction > 0.0 ? high : low;
         near.far = std::min(t + error, near.far);

@@ -27,9 +27,9 @@ bool meets(const Ray& ray, const Bounds& box, double t_min, double t_max) {
     return t_min <= t_max;
 }
 
-class Scene {
+class BallTree {
 public:
-    explicit Scene(double scale, const Vec3& place, int count) : scale_(scale), place_(place) {
+    explicit BallTree(double scale, const Vec3& place, int count) : scale_(scale), place_(place) {
         for (int i = 0; i < count; ++i) {
             // On a grid, so that faces coincide, and some without thickness.
             const Vec3 a{whole(), whole(), whole()};
@@ -125,8 +125,8 @@ private:
 TEST(BoxTree, MissesNoBox) {
     for (const double scale : {1e-30, 1e-6, 1.0, 0.3, 1e6, 1e20}) {
         for (const int count : {1, 2, 5, 40, 700}) {
-            Scene(scale, scale * Vec3{0.1, -7.7, 1e4}, count).shoot(2000);
-            Scene(scale, Vec3{0.0}, count).shoot(2000);
+            BallTree(scale, scale * Vec3{0.1, -7.7, 1e4}, count).shoot(2000);
+            BallTree(scale, Vec3{0.0}, count).shoot(2000);
         }
     }
 }
@@ -135,8 +135,8 @@ TEST(BoxList, MissesNoBox) {
     int listed = 0;
     for (const double scale : {1e-30, 1e-6, 1.0, 0.3, 1e6, 1e20}) {
         for (const int count : {1, 2, 5, 40, 700}) {
-            listed += Scene(scale, scale * Vec3{0.1, -7.7, 1e4}, count).shoot_bundles(2000);
-            listed += Scene(scale, Vec3{0.0}, count).shoot_bundles(2000);
+            listed += BallTree(scale, scale * Vec3{0.1, -7.7, 1e4}, count).shoot_bundles(2000);
+            listed += BallTree(scale, Vec3{0.0}, count).shoot_bundles(2000);
         }
     }
     EXPECT_GT(listed, 10000);

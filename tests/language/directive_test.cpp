@@ -27,11 +27,6 @@ std::string numbers(std::string_view declarations, std::string_view names) {
     return said(text);
 }
 
-std::string first_error(std::string_view text) {
-    const Reading reading = read_probe(text);
-    return reading.errors.empty() ? "" : reading.errors.front().substr(3);
-}
-
 TEST(Macro, BodyReplacesTheCall) {
     EXPECT_EQ(numbers("#macro M(A) A+1 #end #macro Q(X) X*X #end", "2*M(3);Q(1+2)"), "7.00 9.00");
     EXPECT_EQ(numbers("#macro V() <1,2,3> #end #declare C=V()*2;", "C.z"), "6.00");

@@ -8,11 +8,6 @@
 namespace rb {
 namespace {
 
-std::string first_error(std::string_view text) {
-    const Reading reading = read_probe(text);
-    return reading.errors.empty() ? "" : reading.errors.front().substr(3);
-}
-
 TEST(Warning, BlackHolesMustFitTheirBlocks) {
     const auto warnings = [](const std::string& repeat) {
         const std::string hole = "warp { black_hole 0.5, 0.7 repeat " + repeat + " turbulence 0.3 }";

@@ -31,6 +31,11 @@ Reading read_probe(std::string_view text) {
         fmt::format("#version 3.7; global_settings {{ assumed_gamma 1.0 }} {} sphere {{ 0, 1 }}", text));
 }
 
+std::string first_error(std::string_view text) {
+    const Reading reading = read_probe(text);
+    return reading.errors.empty() ? "" : reading.errors.front().substr(3);
+}
+
 std::vector<double> values_of(std::string_view declarations, std::string_view expressions) {
     std::string text(declarations);
     // Each value on its own line, so that commas inside calls need no care: the caller separates by ';'.

@@ -32,7 +32,7 @@ Camera camera_of(RayDistribution distribution, std::vector<CameraMesh> meshes) {
 
 constexpr double third = 1.0 / 3.0;
 
-void expect_near(const Vec3& a, const Vec3& b) {
+void expect_equal(const Vec3& a, const Vec3& b) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-12);
 }
 
@@ -40,11 +40,11 @@ TEST(MeshRays, LeaveTheMiddleOfAFaceAlongItsNormal) {
     const MeshRays rays(camera_of(RayDistribution::mesh_per_ray, {row_of(8)}), 4, 4);
     const auto ray = rays.at(2, 1, 0);
     ASSERT_TRUE(ray);
-    expect_near(ray->origin, {2 + third, third, 0});
-    expect_near(ray->direction, {0, 0, -1});
+    expect_equal(ray->origin, {2 + third, third, 0});
+    expect_equal(ray->direction, {0, 0, -1});
     // The first two rows of pixels look the same way.
-    expect_near(rays.at(2, 0, 0)->origin, ray->origin);
-    expect_near(rays.at(2, 2, 0)->origin, {6 + third, third, 0});
+    expect_equal(rays.at(2, 0, 0)->origin, ray->origin);
+    expect_equal(rays.at(2, 2, 0)->origin, {6 + third, third, 0});
     EXPECT_FALSE(rays.at(2, 3, 0));
 }
 
@@ -53,17 +53,17 @@ TEST(MeshRays, LocationAndDirectionTurnThemRound) {
     camera.location = {5, 6, 0.25};
     camera.direction = {0, 0, -1};
     const auto ray = MeshRays(camera, 4, 4).at(0, 1, 0);
-    expect_near(ray->origin, {2 * third, 2 * third, -0.5});
-    expect_near(ray->direction, {0, 0, 1});
+    expect_equal(ray->origin, {2 * third, 2 * third, -0.5});
+    expect_equal(ray->direction, {0, 0, 1});
 }
 
 TEST(MeshRays, MeshPerRayAndOneAfterOther) {
     const Transform up = Transform::translation({0, 10, 0});
     const MeshRays per_ray(camera_of(RayDistribution::mesh_per_ray, {row_of(4), row_of(4, up)}), 4, 4);
-    expect_near(per_ray.at(1, 1, 0)->origin, {1 + third, third, 0});
-    expect_near(per_ray.at(1, 1, 1)->origin, {1 + third, 10 + third, 0});
+    expect_equal(per_ray.at(1, 1, 0)->origin, {1 + third, third, 0});
+    expect_equal(per_ray.at(1, 1, 1)->origin, {1 + third, 10 + third, 0});
     const MeshRays row(camera_of(RayDistribution::one_after_other, {row_of(4), row_of(4, up)}), 4, 4);
-    expect_near(row.at(1, 2, 0)->origin, {1 + third, 10 + third, 0});
+    expect_equal(row.at(1, 2, 0)->origin, {1 + third, 10 + third, 0});
     EXPECT_FALSE(row.at(1, 3, 0));
     EXPECT_FALSE(row.at(1, 1, 1));
 }
@@ -71,14 +71,14 @@ TEST(MeshRays, MeshPerRayAndOneAfterOther) {
 TEST(MeshRays, SideBySideShareTheWidth) {
     const Transform up = Transform::translation({0, 10, 0});
     const MeshRays rays(camera_of(RayDistribution::side_by_side, {row_of(12), row_of(12, up)}), 4, 4);
-    expect_near(rays.at(1, 2, 0)->origin, {3 + third, third, 0});
-    expect_near(rays.at(3, 2, 0)->origin, {5 + third, 10 + third, 0});
+    expect_equal(rays.at(1, 2, 0)->origin, {3 + third, third, 0});
+    expect_equal(rays.at(3, 2, 0)->origin, {5 + third, 10 + third, 0});
 }
 
 TEST(MeshRays, ByUvFindTheTriangle) {
     const MeshRays rays(camera_of(RayDistribution::by_uv, {row_of(2)}), 8, 8);
     // u = 5/8 and v = 1 - (5.5 + .5)/8 lie in the second triangle, a quarter along and a quarter up.
-    expect_near(rays.at(5, 6, 0)->origin, {1.25, 0.25, 0});
+    expect_equal(rays.at(5, 6, 0)->origin, {1.25, 0.25, 0});
     EXPECT_FALSE(rays.at(7, 1, 0));
 }
 

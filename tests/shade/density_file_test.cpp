@@ -64,14 +64,14 @@ protected:
     std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "density_files";
 };
 
-struct Row {
+struct DensityRow {
     const char* file;
     const char* rest;
     double value[4];
 };
 constexpr std::array<Vec3, 4> places{Vec3{0.05, 0.013, 0.41}, Vec3{0.421, 0.246, 0.129},
                                      Vec3{0.792, 0.479, 0.848}, Vec3{0.99, 0.97, 0.003}};
-constexpr Row rows[] = {
+constexpr DensityRow density_rows[] = {
     {"t8.df3", "", {0.000000000, 0.619607843, 0.505882353, 0.800000000}},
     {"t8.df3", "interpolate 1", {0.317148047, 0.477843699, 0.654292180, 0.076842852}},
     {"t8.df3", "interpolate 2", {0.331676453, 0.426697373, 0.750934541, 0.000372022}},
@@ -84,7 +84,7 @@ constexpr Row rows[] = {
 };
 
 TEST_F(DensityFiles, MatchTheMeasuredValues) {
-    for (const Row& row : rows) {
+    for (const DensityRow& row : density_rows) {
         // The reference computes cubics in single precision.
         const double tolerance = std::string_view(row.rest) == "interpolate 2" ? 3e-7 : 2e-9;
         for (size_t i = 0; i < 4; ++i) {
