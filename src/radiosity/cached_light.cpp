@@ -61,9 +61,7 @@ void CachedLight::gather(std::span<const IndirectPlace> places, int depth, std::
 void CachedLight::fill(std::span<const IndirectPlace> places, std::span<const uint32_t> gaps, int depth,
                        std::span<Rgb> mean) const {
     if (gaps.empty()) return;
-    // One pixel's noise shows less than a record's: the directions of the next bounce are enough.
-    const int next_depth = std::min(1, rays_.settings().recursion_limit - 1);
-    const HemisphereGrid& grid = depth == 0 ? rays_.grid_at(next_depth) : rays_.coarse_grid();
+    const HemisphereGrid& grid = depth == 0 ? rays_.pixel_grid() : rays_.coarse_grid();
     GatherTask task{depth, &grid, next(depth), false, surfels_at(depth)};
     if (depth == 0) task.outlooks = &outlooks_;
     Scratch::Scope memory(thread_scratch());
@@ -159,8 +157,9 @@ IrradianceRecord CachedLight::record_of(const IndirectPlace& place, int depth,
     // Nor does one reach farther than half way to what is nearest: at corners it would say what its own view
     // is.
     const double near = 0.5 * gathered.nearest / quality.bounds[static_cast<size_t>(depth)];
-    record.radius = std::clamp(std::min({gathered.distance, steady, near}), quality.minimum_radius * scale,
-                               quality.maximum_radius * scale);
+    const double least = std::max(quality.minimum_radius, quality.minimum_reach / quality.bounds.front());
+    record.radius = std::clamp(std::min({gathered.distance, steady, near}), least * scale,
+                               std::max(least, quality.maximum_radius) * scale);
     return record;
 }
 

@@ -34,6 +34,7 @@ GatherQuality::GatherQuality(const RadiositySettings& settings, double error)
         bound = std::min(loosest_bound, 0.13 * std::pow(error / usual, 2.0 / 3.0));
         minimum_radius = std::min(minimum_radius, finest_radius);
     }
+    minimum_reach = error > 0.0 ? minimum_radius * bound : settings.minimum_reuse * settings.error_bound;
     // Later bounces show less of their errors.
     for (int depth = 0; depth < settings.recursion_limit; ++depth) {
         rays.push_back(std::max(fewest_rays, static_cast<int>(std::ldexp(count, -depth))));

@@ -12,6 +12,7 @@ struct GatherQuality {
     // Of records at depth 0, in distances from the eye; doubled with each bounce.
     double minimum_radius = 0;
     double maximum_radius = 0;
+    double minimum_reach = 0;  ///< as far as any record is used: as in POV-Ray, whose bounds are looser
 
     /// `error`: RMSE that is aimed at, in shares of white; 0: as the settings say.
     GatherQuality(const RadiositySettings& settings, double error);

@@ -45,6 +45,8 @@ public:
     /// The directions that they want at that depth.
     const HemisphereGrid& grid_at(int depth) const { return grids_[static_cast<size_t>(depth)]; }
 
+    /// Of places that no record is made of: one pixel's noise shows less than that of all that use a record.
+    const HemisphereGrid& pixel_grid() const { return pixel_grid_; }
     /// A few directions, for places of which many are seen by one that gathers.
     const HemisphereGrid& coarse_grid() const { return coarse_grid_; }
 
@@ -69,6 +71,7 @@ private:
     ShadingProgram program_;
     GatherQuality quality_;
     std::vector<HemisphereGrid> grids_;  ///< by depth
+    HemisphereGrid pixel_grid_;
     HemisphereGrid coarse_grid_;
     mutable std::atomic<uint64_t> gathers_{0};
     mutable std::atomic<uint64_t> rays_{0};
