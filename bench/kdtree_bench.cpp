@@ -1,6 +1,7 @@
 // The kD-tree of a mesh beside Embree and beside brute force: build, memory, rays per second, one ray at a
 // time. Prints tables in Markdown. Usage: kdtree_bench [bumpy|soup|all] [least triangles] [most triangles]
 // [runs]
+#include "base/parallel.h"
 #include "bumpy.h"
 #include "shapes/mesh_shape.h"
 
@@ -73,7 +74,10 @@ public:
         data.triangles = mesh;
         shape_ = std::make_unique<MeshShape>("mesh2", std::move(data), search);
     }
-    void build(int) { shape_->prepare(); }
+    void build(int threads) {
+        const ThreadLimit limit(threads);
+        shape_->prepare();
+    }
     size_t memory() const { return shape_->tree_memory(); }
     TestHit closest(const TestRay& r) const {
         const Ray ray{Vec3(r.origin), Vec3(r.direction)};

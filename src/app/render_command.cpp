@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "app/console.h"
 #include "app/create_ini.h"
+#include "app/explanation.h"
 #include "app/geometry_oracle.h"
 #include "app/message_files.h"
 #include "app/picture.h"
@@ -205,6 +206,7 @@ int draw_frame(const Settings& settings, const AnimationFrame& frame, ReadScene&
     is_rendering.store(false);
     statistics.write_seconds = seconds_since(start);
     console.keep(MessageStream::statistics, statistics_text(statistics, world, result));
+    if (settings.explain) console.line(explanation(world, result));
     if (settings.stats_file) write_statistics(statistics, world, result, settings);
     return result.complete ? exit_done : exit_stopped;
 }
@@ -278,6 +280,7 @@ int run_render(const Settings& settings) {
     std::signal(SIGTERM, on_signal);
     create_ini(settings);
     const ShellCommands commands(settings, console);
+    const ThreadLimit limit(settings.threads);
     const int code = render_frames(settings, frames, commands, console);
     if (code == exit_stopped) {
         console.line("Render cancelled by user\n");

@@ -1,5 +1,8 @@
 #include "base/parallel.h"
 
+#include <algorithm>
+
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
@@ -26,6 +29,19 @@ void parallel_for(size_t count, int threads, const std::atomic<bool>& stop,
 void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
     tbb::parallel_invoke(a, b);
 }
+
+struct ThreadLimit::Control {
+    tbb::global_control most;
+};
+
+ThreadLimit::ThreadLimit(int threads) {
+    if (threads <= 0) return;
+    control_ = std::make_unique<Control>(
+        Control{tbb::global_control(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<size_t>(std::min(threads, default_thread_count())))});
+}
+
+ThreadLimit::~ThreadLimit() = default;
 
 int default_thread_count() { return tbb::info::default_concurrency(); }
 

@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace rb {
 
@@ -16,6 +17,17 @@ void parallel_for(size_t count, int threads, const std::atomic<bool>& stop,
 
 /// Runs both, possibly at the same time, and waits for both. May be nested.
 void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b);
+
+/// While it lives, parallel_invoke, too, uses at most so many threads (0: all that the machine grants).
+class ThreadLimit {
+public:
+    explicit ThreadLimit(int threads);
+    ~ThreadLimit();
+
+private:
+    struct Control;
+    std::unique_ptr<Control> control_;
+};
 
 /// Number of threads that parallel_for uses for `threads` = 0: cores that this process may run on.
 int default_thread_count();

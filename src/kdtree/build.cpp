@@ -1,3 +1,4 @@
+#include "base/parallel.h"
 #include "kdtree/pack.h"
 
 #include <algorithm>
@@ -24,50 +25,50 @@ Bounds widened(const BoxF& b) { return {{b.lo[0], b.lo[1], b.lo[2]}, {b.hi[0], b
 
 constexpr int most_bad_refines = 3;
 constexpr double empty_bonus = 0.8;
+/// References from which on both children are worth a thread.
+constexpr size_t many = 1 << 14;
+
+/// What is left of the bounds on the way down.
+struct Allowance {
+    int depth;
+    int bad_refines;
+    double references;  ///< that the subtree may make: a bound on duplicates that acts everywhere alike
+};
+
+bool is_sound(const BoxF& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(box.lo[axis] <= box.hi[axis]) || !(box.lo[axis] > -inf && box.hi[axis] < inf)) return false;
+    }
+    return true;
+}
 
 }  // namespace
 
 /// Depth first. The references of the node at work lie at the end of one array; a split reorders them to
-/// [left only | both | both again | right only], so a level costs only its duplicates.
+/// [left only | both | both again | right only], so a level costs only its duplicates. Large high children
+/// have a builder of their own, whose nodes are put behind the others: the same tree with any number of
+/// threads.
 class KdBuilder {
 public:
-    KdBuilder(KdTree& tree, uint32_t count, const KdTree::BoxOf& box_of, const KdOptions& options,
-              const KdTree::Clip& clip)
-        : tree_(tree), options_(options), clip_(clip) {
+    KdBuilder(const KdOptions& options, const KdTree::Clip& clip, std::vector<Reference> references)
+        : options_(options), clip_(clip), references_(std::move(references)) {
         for (size_t n = 0; n < block_costs_.size(); ++n) {
             const auto w = static_cast<size_t>(options.block);
             const auto blocks = (n + w - 1) / w;
             block_costs_[n] = options.element_cost * static_cast<double>(blocks);
         }
-        BoxF hull = empty_box_f;
-        references_.reserve(count + count / 8);
-        for (uint32_t i = 0; i < count; ++i) {
-            const BoxF box = box_of(i);
-            if (!is_sound(box)) continue;
-            references_.push_back({box, i});
-            include(hull, box);
-        }
-        if (references_.empty()) return;
-        const auto n = static_cast<double>(references_.size());
-        const int depth = options.depth >= 0 ? options.depth : static_cast<int>(8.0 + 1.3 * std::log2(n));
-        tree_.bounds_ = widened(hull);
-        for (int axis = 0; axis < 3; ++axis)
-            tree_.reach_ = std::max({tree_.reach_, std::abs(hull.lo[axis]), std::abs(hull.hi[axis])});
-        tree_.block_ = static_cast<uint32_t>(options.block);
-        nodes_.emplace_back();
-        build(0, 0, hull, {std::min(depth, KdTree::most_depth), 0, options.most_references * n + 4096.0});
-        references_ = {};
-        KdPacker(tree_, nodes_, in_leaves_);
     }
+
+    /// Of all references; the first node is the root.
+    void build(const BoxF& hull, const Allowance& allowance) {
+        nodes_.emplace_back();
+        build(0, 0, hull, allowance);
+        references_ = {};
+    }
+    const std::vector<BinaryNode>& nodes() const { return nodes_; }
+    const std::vector<uint32_t>& in_leaves() const { return in_leaves_; }
 
 private:
-    static bool is_sound(const BoxF& box) {
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!(box.lo[axis] <= box.hi[axis]) || !(box.lo[axis] > -inf && box.hi[axis] < inf)) return false;
-        }
-        return true;
-    }
-
     double block_cost(size_t n) const {
         if (n < block_costs_.size()) return block_costs_[n];
         return options_.element_cost / options_.block * static_cast<double>(n);
@@ -81,13 +82,6 @@ private:
         nodes_[node].first = first;
         nodes_[node].count = static_cast<uint32_t>(count);
     }
-
-    /// What is left of the bounds on the way down.
-    struct Allowance {
-        int depth;
-        int bad_refines;
-        double references;  ///< that the subtree may make: a bound on duplicates that acts everywhere alike
-    };
 
     void build(uint32_t node, size_t begin, const BoxF& hull, Allowance allowance) {
         const size_t n = references_.size() - begin;
@@ -119,10 +113,33 @@ private:
         const auto n_low = static_cast<double>(middle - begin);
         --allowance.depth;
         const double share = allowance.references / std::max(n_low + n_high, 1.0);
-        allowance.references = share * n_high;
-        build(low + 1, middle, high_hull, allowance);
+        Allowance high_allowance = allowance;
+        high_allowance.references = share * n_high;
         allowance.references = share * n_low;
-        build(low, begin, low_hull, allowance);
+        if (n < many) {
+            build(low + 1, middle, high_hull, high_allowance);
+            build(low, begin, low_hull, allowance);
+            return;
+        }
+        const auto first_high = references_.begin() + static_cast<std::ptrdiff_t>(middle);
+        KdBuilder high(options_, clip_, {first_high, references_.end()});
+        references_.resize(middle);
+        parallel_invoke([&] { high.build(high_hull, high_allowance); },
+                        [&] { build(low, begin, low_hull, allowance); });
+        graft(low + 1, high);
+    }
+
+    /// Makes another builder's root a node of this tree.
+    void graft(uint32_t node, const KdBuilder& other) {
+        const auto behind = static_cast<uint32_t>(nodes_.size()) - 1;
+        const auto first_leaf = static_cast<uint32_t>(in_leaves_.size());
+        const auto moved = [&](BinaryNode n) {
+            n.first += n.count == BinaryNode::inner ? behind : first_leaf;
+            return n;
+        };
+        nodes_[node] = moved(other.nodes_.front());
+        for (size_t i = 1; i < other.nodes_.size(); ++i) nodes_.push_back(moved(other.nodes_[i]));
+        in_leaves_.insert(in_leaves_.end(), other.in_leaves_.begin(), other.in_leaves_.end());
     }
 
     /// Cuts a straddling reference down to a child's cell; false if nothing of it is left there.
@@ -324,7 +341,6 @@ private:
         return n > 32 ? best_binned<16>(begin, hull) : best_binned<8>(begin, hull);
     }
 
-    KdTree& tree_;
     const KdOptions& options_;
     const KdTree::Clip& clip_;
     std::array<double, 128> block_costs_{};  ///< by element count; rounding to blocks matters for few
@@ -335,8 +351,26 @@ private:
     std::vector<Parts> cuts_;
 };
 
-KdTree::KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip) {
-    KdBuilder(*this, count, box_of, options, clip);
+KdTree::KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip)
+    : block_(static_cast<uint32_t>(options.block)) {
+    BoxF hull = empty_box_f;
+    std::vector<Reference> references;
+    references.reserve(count + count / 8);
+    for (uint32_t i = 0; i < count; ++i) {
+        const BoxF box = box_of(i);
+        if (!is_sound(box)) continue;
+        references.push_back({box, i});
+        include(hull, box);
+    }
+    if (references.empty()) return;
+    bounds_ = widened(hull);
+    for (int axis = 0; axis < 3; ++axis)
+        reach_ = std::max({reach_, std::abs(hull.lo[axis]), std::abs(hull.hi[axis])});
+    const auto n = static_cast<double>(references.size());
+    const int depth = options.depth >= 0 ? options.depth : static_cast<int>(8.0 + 1.3 * std::log2(n));
+    KdBuilder builder(options, clip, std::move(references));
+    builder.build(hull, {std::min(depth, most_depth), 0, options.most_references * n + 4096.0});
+    KdPacker(*this, builder.nodes(), builder.in_leaves());
 }
 
 KdTree::KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip)

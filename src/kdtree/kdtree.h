@@ -51,7 +51,7 @@ public:
     /// precision cannot hold (infinite, or not a number).
     using BoxOf = std::function<BoxF(uint32_t element)>;
 
-    /// `clip` may be empty.
+    /// `clip` may be empty; several threads may call it.
     KdTree(uint32_t count, const BoxOf& box_of, const KdOptions& options, const Clip& clip = {});
     KdTree(const std::vector<BoxF>& boxes, const KdOptions& options, const Clip& clip = {});
 
@@ -75,7 +75,6 @@ public:
     bool walk_wide(const Ray& ray, double t_min, const double& t_max, Leaf&& leaf) const;
 
 private:
-    friend class KdBuilder;
     friend class KdPacker;
     class Walk;
     static constexpr int most_depth = 60;

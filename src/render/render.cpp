@@ -37,6 +37,7 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
     ShadingOptions shading = options.shading;
     shading.indirect_light = options.gi != GiMode::off;
     Integrator integrator(world, shading);
+    result.needs = needs_of(integrator.program());
     if (world.settings.photons && options.shading.quality >= 9) {
         integrator.show(
             photon_light(integrator.program(), options.threads, options.seed, stop, result.photons));

@@ -3,6 +3,7 @@
 #include "photons/shoot.h"
 #include "radiosity/radiosity.h"
 #include "render/antialias.h"
+#include "shade/needs.h"
 
 #include <atomic>
 #include <functional>
@@ -42,6 +43,7 @@ struct RenderOptions {
 struct RenderResult {
     Film film;
     RayCounters counters;
+    Needs needs;
     std::optional<RadiosityReport> radiosity;
     PhotonCounters photons;
     bool complete = true;  ///< false if `stop` ended it early; finished blocks are in the film

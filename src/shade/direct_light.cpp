@@ -88,10 +88,12 @@ void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, std::
         }
         look_toward(source, columns, ways);
         const size_t lit = find_lit(finish, light.index, rows, columns, ways, reached);
+        state_.counters.unreached += rows.size() - lit;
         for (size_t begin = 0; begin < lit; begin += bundle_size) {
             const auto places = reached.subspan(begin, std::min(bundle_size, lit - begin));
             const Candidates* between = candidates(source, rows, places, columns, ways);
             const bool all_arrives = shadows_.passes_all(source, between);
+            if (all_arrives) state_.counters.unhindered += places.size();
             for (const Reached& place : places) {
                 LitRow& row = rows[place.row];
                 const LightVector way = ways.at(place.row);

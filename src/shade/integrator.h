@@ -40,12 +40,17 @@ struct RayCounters {
     uint64_t reflected = 0;
     uint64_t refracted = 0;
     uint64_t shadow = 0;
+    // Shadow rays that were not needed: to lights that do not reach a place, and where nothing is in between.
+    uint64_t unreached = 0;
+    uint64_t unhindered = 0;
 
     RayCounters& operator+=(const RayCounters& other) {
         camera += other.camera;
         reflected += other.reflected;
         refracted += other.refracted;
         shadow += other.shadow;
+        unreached += other.unreached;
+        unhindered += other.unhindered;
         return *this;
     }
 };
