@@ -72,7 +72,9 @@ void CachedLight::fill(std::span<const IndirectPlace> places, std::span<const ui
     for (size_t k = 0; k < gaps.size(); ++k) mean[gaps[k]] = fresh[k].mean;
 }
 
-bool CachedLight::is_enough(double weight) const { return 4.0 * weight >= rays_.settings().nearest_count; }
+bool CachedLight::is_enough(double weight) const {
+    return fills_gaps_only_ ? weight > 0.0 : 4.0 * weight >= rays_.settings().nearest_count;
+}
 
 bool CachedLight::knows(const IndirectPlace& place, int depth) const {
     return is_enough(caches_[static_cast<size_t>(depth)].look_up(place.point, place.normal).weight);
@@ -122,7 +124,8 @@ std::vector<IrradianceRecord> CachedLight::gathered(std::span<const IndirectPlac
     std::vector<std::vector<Outlook>> views(fresh.size());
     parallel_for(fresh.size(), threads, stop, [&](size_t c) {
         const auto some = places.subspan(c * chunk, std::min(chunk, places.size() - c * chunk));
-        GatherTask task{depth, &rays_.grid_at(depth), next(depth), true, surfels_at(depth)};
+        const HemisphereGrid& grid = fills_gaps_only_ ? rays_.pixel_grid() : rays_.grid_at(depth);
+        GatherTask task{depth, &grid, next(depth), true, surfels_at(depth)};
         if (task.known) task.fresh = &fresh[c];
         // Later bounces gain nothing: the gathers that ask them even out their noise.
         if (depth == 0) task.outlooks = &outlooks_;

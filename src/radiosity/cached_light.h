@@ -22,6 +22,9 @@ public:
     /// Gathers at places that are not known yet, in an order that depends on their number only.
     void learn(std::span<const IndirectPlace> places, int depth, int threads, const std::atomic<bool>& stop);
 
+    /// From now on places with any record near them count as known; the others' are for a pixel or two.
+    void fill_gaps_only() { fills_gaps_only_ = true; }
+
     /// All that it has learned.
     StoredLight stored() const;
     /// Puts it in before anything is learned; false if that was learned of another scene (by its numbers of
@@ -61,6 +64,7 @@ private:
     std::vector<size_t> surfel_counts_;
     double error_squares_ = 0;
     size_t compared_ = 0;
+    bool fills_gaps_only_ = false;
     mutable std::atomic<uint64_t> interpolations_{0};
     mutable std::array<std::atomic<uint64_t>, 2> gaps_{};
 };

@@ -9,6 +9,8 @@ namespace {
 
 /// A place below a record sees what the record does not.
 constexpr double behind = -0.05;
+/// Of a turn's chord in the error: the gradient answers for most of it.
+constexpr double turn_share = 0.5;
 
 /// What a record says of a place near it. A gradient may not make light out of nothing.
 Rgb extrapolated(const IrradianceRecord& record, const Vec3& point, const Vec3& normal) {
@@ -68,7 +70,7 @@ double IrradianceCache::weight_of(const IrradianceRecord& record, const Vec3& po
     const double turned = glm::dot(normal, record.normal);
     const Vec3 way = point - record.point;
     const double distance = glm::length(way);
-    const double error = distance / record.radius + 2.0 * std::sqrt(std::max(0.0, 1.0 - turned));
+    const double error = distance / record.radius + turn_share * std::sqrt(std::max(0.0, 1.0 - turned));
     if (!(error < bound_)) return 0.0;
     const Vec3 both = normal + record.normal;
     if (glm::dot(way, both) < behind * distance * glm::length(both)) return 0.0;

@@ -52,11 +52,11 @@ RadiosityReport Radiosity::report() const {
     return report;
 }
 
-void Radiosity::prepare(const PictureSurvey& survey, int longer_side, int threads,
+void Radiosity::prepare(const PictureSurvey& survey, const PictureExtent& extent, int threads,
                         const std::atomic<bool>& stop, const RadiosityFiles& files) {
     if (!cached_) return;
     if (!files.load.empty()) load(files.load);
-    if (files.load.empty() || !files.save.empty()) learn(survey, longer_side, threads, stop);
+    if (files.load.empty() || !files.save.empty()) learn(survey, extent, threads, stop);
     if (files.save.empty() || stop.load(std::memory_order_relaxed)) return;
     write_light(files.save, cached_->stored());
 }
@@ -66,17 +66,20 @@ void Radiosity::load(const std::string& path) {
     throw IoError("The radiosity file " + path + " was made for another scene or with other settings.");
 }
 
-void Radiosity::learn(const PictureSurvey& survey, int longer_side, int threads,
+void Radiosity::learn(const PictureSurvey& survey, const PictureExtent& extent, int threads,
                       const std::atomic<bool>& stop) {
     constexpr int finest = 2;
-    const double widest = rays_.settings().pretrace_start * longer_side;
+    const double widest = rays_.settings().pretrace_start * extent.longer_side;
     const int first = std::max(finest, static_cast<int>(widest));
     // Some ten thousand places, however large the picture is.
-    const int coarse = std::max(std::min(first, 8), longer_side / 256);
+    const int coarse = std::max(std::min(first, 8), extent.longer_side / 256);
     if (rays_.settings().recursion_limit > 1) learn_later_bounces(survey(coarse, nullptr), threads, stop);
     for (int step = first; step >= finest; step /= 2) {
         cached_->learn(survey(step, cached_.get()), 0, threads, stop);
     }
+    if (!extent.several_samples) return;
+    cached_->fill_gaps_only();
+    cached_->learn(survey(1, cached_.get()), 0, threads, stop);
 }
 
 /// From the last bounce to the second, so that each can ask the one after it.

@@ -29,6 +29,11 @@ private:
 /// null).
 using PictureSurvey = std::function<std::vector<IndirectPlace>(int step, const CachedLight* known)>;
 
+struct PictureExtent {
+    int longer_side;       ///< in pixels
+    bool several_samples;  ///< of a pixel: what none of them finds a record for is then gathered before
+};
+
 /// Files that what is found comes from and goes to; empty: none.
 struct RadiosityFiles {
     std::string load;
@@ -56,11 +61,11 @@ public:
     Radiosity(const World& world, const ShadingOptions& options, GiMode mode, double error = 0,
               std::shared_ptr<const PhotonLight> photons = nullptr);
 
-    /// Before light() is asked. `longer_side`: of the picture, in pixels. Ends soon once `stop` is true. What
+    /// Before light() is asked. Ends soon once `stop` is true. What
     /// is loaded is all that is known, unless it is to be saved again: then the picture adds what it lacks.
     /// Throws IoError where a file is not what it should be. GiMode::brute has no use for files.
-    void prepare(const PictureSurvey& survey, int longer_side, int threads, const std::atomic<bool>& stop,
-                 const RadiosityFiles& files = {});
+    void prepare(const PictureSurvey& survey, const PictureExtent& extent, int threads,
+                 const std::atomic<bool>& stop, const RadiosityFiles& files = {});
 
     const IndirectLight& light() const;
 
@@ -69,7 +74,8 @@ public:
 
 private:
     void load(const std::string& path);
-    void learn(const PictureSurvey& survey, int longer_side, int threads, const std::atomic<bool>& stop);
+    void learn(const PictureSurvey& survey, const PictureExtent& extent, int threads,
+               const std::atomic<bool>& stop);
     void learn_later_bounces(std::vector<IndirectPlace> places, int threads, const std::atomic<bool>& stop);
     std::vector<IndirectPlace> met_from(std::span<const IndirectPlace> places, int depth, int threads,
                                         const std::atomic<bool>& stop) const;

@@ -50,8 +50,8 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
     if (ShadingProgram::has_indirect_light(world, shading)) {
         radiosity.emplace(world, shading, options.gi, options.gi_error, integrator.program().photons);
         radiosity->prepare(survey_of(integrator, rays, options, stop),
-                           std::max(options.width, options.height), options.threads, stop,
-                           options.radiosity_files);
+                           {std::max(options.width, options.height), options.antialias.method != 0},
+                           options.threads, stop, options.radiosity_files);
         indirect = &radiosity->light();
     }
     const SampleDistance distance(world.settings.assumed_gamma, options.antialias.gamma);
