@@ -188,11 +188,14 @@ size_t PolyShape::find(const ShapeRay& query, Roots& out) const {
         take(quick, false);
         return found;
     }
-    if (lo < 1.0 && hi > -1.0)
-        take(solve_polynomial(from_high, std::max(lo, -1.0), std::min(hi, 1.0), roots), false);
+    const auto look = [&](std::span<const double> c, double begin, double end, bool inverse) {
+        const int quick = try_solve_polynomial(c, begin, end, roots);
+        take(quick >= 0 ? quick : solve_polynomial(c, begin, end, roots), inverse);
+    };
+    if (lo < 1.0 && hi > -1.0) look(from_high, std::max(lo, -1.0), std::min(hi, 1.0), false);
     // Beyond 1 the inverse is the parameter: the coefficients in reverse.
-    if (hi > 1.0) take(solve_polynomial(from_low, 1.0 / hi, lo > 1.0 ? 1.0 / lo : 1.0, roots), true);
-    if (lo < -1.0) take(solve_polynomial(from_low, hi < -1.0 ? 1.0 / hi : -1.0, 1.0 / lo, roots), true);
+    if (hi > 1.0) look(from_low, 1.0 / hi, lo > 1.0 ? 1.0 / lo : 1.0, true);
+    if (lo < -1.0) look(from_low, hi < -1.0 ? 1.0 / hi : -1.0, 1.0 / lo, true);
     return found;
 }
 
