@@ -1,8 +1,10 @@
 // The tree against brute force with the same kernel: rays of four adversarial families, no difference, equal
 // bits.
+#include "base/parallel.h"
 #include "kdtree/wide_walk.h"
 #include "shapes/mesh_shape.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
@@ -249,6 +251,58 @@ TEST(KdTree, LeavesOutWhatIsNoBox) {
     const std::set<uint32_t> held(tree.references().begin(), tree.references().end());
     EXPECT_EQ(held.size(), 36u);
     EXPECT_TRUE(tree.bounds().is_finite());
+}
+
+/// As many that subtrees have threads of their own.
+std::vector<BoxF> many_boxes() {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> unit(0, 1);
+    std::vector<BoxF> boxes(70000);
+    for (BoxF& box : boxes) {
+        for (int axis = 0; axis < 3; ++axis) {
+            box.lo[axis] = 100.0f * unit(random);
+            box.hi[axis] = box.lo[axis] + unit(random) * unit(random);
+        }
+    }
+    return boxes;
+}
+
+TEST(KdTree, IsTheSameWithAnyNumberOfThreads) {
+    const std::vector<BoxF> boxes = many_boxes();
+    const KdTree many(boxes, {});
+    const ThreadLimit limit(1);
+    const KdTree one(boxes, {});
+    EXPECT_EQ(one.node_count(), many.node_count());
+    EXPECT_TRUE(std::ranges::equal(one.references(), many.references()));
+}
+
+TEST(KdTree, LargeOneMissesNothing) {
+    const std::vector<BoxF> boxes = many_boxes();
+    const KdTree tree(boxes, {});
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const auto place = [&] { return 100.0 * Vec3{unit(random), unit(random), unit(random)}; };
+    for (int i = 0; i < 20; ++i) {
+        const Vec3 from = place();
+        const Ray ray{from, glm::normalize(place() - from)};
+        std::set<uint32_t> held;
+        const double t_max = 1e9;
+        tree.walk(ray, 0.0, t_max, [&](const uint32_t* elements, uint32_t count) {
+            held.insert(elements, elements + count);
+            return false;
+        });
+        for (uint32_t k = 0; k < boxes.size(); ++k) {
+            double near = 0.0;
+            double far = t_max;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double a = (static_cast<double>(boxes[k].lo[axis]) - from[axis]) / ray.direction[axis];
+                const double b = (static_cast<double>(boxes[k].hi[axis]) - from[axis]) / ray.direction[axis];
+                near = std::max(near, std::min(a, b));
+                far = std::min(far, std::max(a, b));
+            }
+            EXPECT_TRUE(near >= far || held.contains(k)) << k;
+        }
+    }
 }
 
 }  // namespace
