@@ -242,6 +242,8 @@ private:
             ->transform(CLI::CheckedTransformer(stages));
         app.add_option("--stats", settings.stats_file,
                        "write statistics as JSON to a file (json or -: standard error)");
+        app.add_flag("--preview", settings.preview,
+                     "write coarse pictures first, the first one after a second or so");
         app.add_flag("--explain", settings.explain,
                      "say what was done for the picture, and what the scene did not need");
         app.add_flag("--no-skip", no_skip_, "do work that the scene does not need, too; same picture");

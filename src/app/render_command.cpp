@@ -12,6 +12,7 @@
 #include "app/statistics.h"
 #include "base/parallel.h"
 #include "language/load.h"
+#include "render/preview.h"
 
 #include <algorithm>
 #include <array>
@@ -119,7 +120,7 @@ std::string picture_path(const Settings& settings, const AnimationFrame& frame) 
     return output_path(settings, number);
 }
 
-void write_picture(const RenderResult& result, const GlobalSettings& scene, const Settings& settings,
+void write_picture(const Film& film, const GlobalSettings& scene, const Settings& settings,
                    const AnimationFrame& frame) {
     const auto& assumed = scene.assumed_gamma;
     OutputFormat format;
@@ -129,7 +130,7 @@ void write_picture(const RenderResult& result, const GlobalSettings& scene, cons
     format.dither = dithering_of(assumed, settings);
     if (assumed)
         format.curve = is_linear(settings.file_type) ? Curve(GammaCurve{1.0}) : Curve(settings.file_gamma);
-    write_image(picture_of(result.film, assumed, settings), format, picture_path(settings, frame));
+    write_image(picture_of(film, assumed, settings), format, picture_path(settings, frame));
 }
 
 /// What decides a picture besides the texts read.
@@ -194,6 +195,10 @@ int draw_frame(const Settings& settings, const AnimationFrame& frame, ReadScene&
     start = std::chrono::steady_clock::now();
     console.banner("Rendering");
     is_rendering.store(true);
+    if (settings.preview && keeps) {
+        preview(world, options, stop_requested,
+                [&](const Film& film) { write_picture(film, world.settings, settings, frame); });
+    }
     const auto progress = [&](size_t done, size_t total) { console.progress(done, total); };
     const RenderResult result = render(world, options, stop_requested, progress, keeps ? &state : nullptr);
     console.end_progress();
@@ -201,7 +206,7 @@ int draw_frame(const Settings& settings, const AnimationFrame& frame, ReadScene&
 
     start = std::chrono::steady_clock::now();
     if (keeps && !result.complete) state.keep(result.film);
-    if (settings.output_to_file) write_picture(result, world.settings, settings, frame);
+    if (settings.output_to_file) write_picture(result.film, world.settings, settings, frame);
     if (keeps && result.complete) state.remove();
     is_rendering.store(false);
     statistics.write_seconds = seconds_since(start);

@@ -101,6 +101,7 @@ struct Settings {
     double gi_error = 0;  ///< in shares of white; 0: as radiosity{} says
     bool skip_unneeded = true;
     bool explain = false;
+    bool preview = false;
     bool brute_force = false;
     InstanceMode instances = InstanceMode::automatic;
     /// Tokens that a scene may take before it counts as a loop without end; minutes of parsing.
