@@ -4,7 +4,7 @@
 The error is the RMSE (of 255) to the mean of several brute gathers. They come in two halves: the mean product of the differences from
 both is free of their own noise. Seconds are user CPU time, the least of several runs, on one thread.
 
-usage: bench/radiosity.py RENDERBOY [-n RUNS] [--povray povray] [--only SCENE ...] [--references FOLDER] [--with "WORDS" ...]
+usage: bench/radiosity.py RENDERBOY [-n RUNS] [--fine] [--povray povray] [--only SCENE ...] [--references FOLDER] [--with "WORDS" ...]
 """
 import argparse
 import array
@@ -57,6 +57,7 @@ def main():
     parser.add_argument("--povray", default="povray", help="none: leave it out")
     parser.add_argument("--only", nargs="+", default=SCENES)
     parser.add_argument("--references", help="folder where they are kept")
+    parser.add_argument("--fine", action="store_true", help="count 1000, error_bound 0.1 instead of 200, 0.5")
     parser.add_argument("--with", dest="words", action="append", help="words of RenderBoy's command line; may be given several times")
     options = parser.parse_args()
     renderboy = os.path.abspath(options.renderboy)
@@ -68,7 +69,7 @@ def main():
     for scene in options.only:
         halves = references(renderboy, scene, options.references)
         for program, words in series:
-            channels, seconds = timed(program, path_of(scene), ["-A"] + words.split(), options.runs)
+            channels, seconds = timed(program, path_of(scene), ["-A"] + ["Declare=Fine=1"] * options.fine + words.split(), options.runs)
             name = f"`{words}`" if program == renderboy else "POV-Ray"
             print(f"| {scene} | {name} | {error(channels, halves):.2f} | {seconds:.2f} |", flush=True)
 

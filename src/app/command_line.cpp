@@ -232,6 +232,9 @@ private:
         app.add_option("--gi", settings.gi,
                        "auto, points, cache, brute or off: how radiosity{} is carried out")
             ->transform(CLI::CheckedTransformer(lights));
+        app.add_option("--gi-view", settings.view_surfels,
+                       "surfels: show what radiosity has learned of the surfaces, not the picture")
+            ->transform(CLI::CheckedTransformer(std::map<std::string, bool>{{"surfels", true}}));
         app.add_option(
             "--gi-error", gi_error_,
             "RMSE that indirect light is to have, such as 0.5%, whatever radiosity{} says of count and "

@@ -66,6 +66,7 @@ RenderOptions render_options(const Settings& settings) {
     if (settings.radiosity_from_file) options.radiosity_files.load = settings.radiosity_file;
     if (settings.radiosity_to_file) options.radiosity_files.save = settings.radiosity_file;
     options.gi_error = settings.gi_error;
+    options.view_surfels = settings.view_surfels;
     return options;
 }
 
@@ -141,6 +142,7 @@ std::string identity_words(const Settings& settings, const AnimationFrame& frame
                                                        "display"};
         if (std::ranges::find(free, name) == free.end()) words += fmt::format("\n{}={}", name, value);
     }
+    if (settings.view_surfels) words += "\nsurfels";
     words +=
         fmt::format("\nseed {} area lights {} error {} of {} gi {} {}", settings.seed,
                     static_cast<int>(settings.area_lights), settings.antialias_options.error,
@@ -193,6 +195,8 @@ int draw_frame(const Settings& settings, const AnimationFrame& frame, ReadScene&
     if (keeps) prepare(state, identity_of(read.sources, identity_words(settings, frame)), settings, console);
 
     start = std::chrono::steady_clock::now();
+    if (settings.view_surfels && !world.settings.radiosity)
+        console.line("warning: the scene has no radiosity{}: it has no surfels to show");
     console.banner("Rendering");
     is_rendering.store(true);
     if (settings.preview && keeps) {

@@ -102,6 +102,7 @@ struct Settings {
     bool skip_unneeded = true;
     bool explain = false;
     bool preview = false;
+    bool view_surfels = false;
     bool brute_force = false;
     InstanceMode instances = InstanceMode::automatic;
     /// Tokens that a scene may take before it counts as a loop without end; minutes of parsing.

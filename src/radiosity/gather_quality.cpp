@@ -10,9 +10,17 @@ namespace {
 constexpr int fewest_rays = 5;
 constexpr int most_rays = 1 << 16;
 
-/// The language's bounds are for records without gradients. Looser ones would save little.
-constexpr double bound_share = 0.75;
 constexpr double loosest_bound = 0.27;
+
+/// The language's bounds are for records without gradients: with them errors shrink much faster than the
+/// bound, and many records that say the same even out their noise. Looser ones than `loosest_bound` would
+/// save little.
+double bound_for(double written) {
+    constexpr double share = 0.75;
+    constexpr double usual = 0.25;
+    if (written < usual) return share * usual * std::pow(written / usual, 0.25);
+    return std::min(loosest_bound, share * written);
+}
 
 /// Few rays are too few: their noise costs more time than they save, since noisy records reach less far.
 double rays_for(int count) {
@@ -25,7 +33,7 @@ double rays_for(int count) {
 GatherQuality::GatherQuality(const RadiositySettings& settings, double error)
     : minimum_radius(settings.minimum_reuse), maximum_radius(settings.maximum_reuse) {
     double count = rays_for(settings.count);
-    double bound = std::min(loosest_bound, bound_share * settings.error_bound * settings.low_error_factor);
+    double bound = bound_for(settings.error_bound * settings.low_error_factor);
     if (error > 0.0) {
         // Measured: errors grow about as the bound, and shrink as the number of rays, to these powers.
         constexpr double usual = 0.005;

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rb {
 
@@ -29,6 +30,26 @@ Radiosity::Radiosity(const World& world, const ShadingOptions& options, GiMode m
 const IndirectLight& Radiosity::light() const {
     if (cached_) return *cached_;
     return brute_;
+}
+
+bool Radiosity::find_surfel(const Ray& ray, Rgb& light) const {
+    if (!cached_ || cached_->surfels().empty()) return false;
+    const ShadingProgram& program = rays_.program();
+    RayQuery query;
+    query.ray = ray;
+    Hit hit;
+    if (!program.geometry.closest(query, hit)) return false;
+    const bool from_inside = glm::dot(hit.normal, ray.direction) > 0.0;
+    const SurfaceProgram& surface = program.surface_of(hit);
+    Surfel surfel{hit.point, from_inside ? -hit.normal : hit.normal, hit.leaf, hit.crossing.member,
+                  from_inside ? surface.interior_look : surface.look};
+    // Cells have sizes of powers of two; beyond the distance to the eye there are hardly any.
+    constexpr int sizes = 24;
+    for (int k = sizes; k >= 0; --k) {
+        surfel.size = std::ldexp(hit.t, -k);
+        if (cached_->surfels().front().find(surfel, light)) return true;
+    }
+    return false;
 }
 
 RadiosityReport Radiosity::report() const {

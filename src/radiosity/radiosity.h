@@ -61,13 +61,17 @@ public:
     Radiosity(const World& world, const ShadingOptions& options, GiMode mode, double error = 0,
               std::shared_ptr<const PhotonLight> photons = nullptr);
 
-    /// Before light() is asked. Ends soon once `stop` is true. What
-    /// is loaded is all that is known, unless it is to be saved again: then the picture adds what it lacks.
-    /// Throws IoError where a file is not what it should be. GiMode::brute has no use for files.
+    /// Before light() is asked. Ends soon once `stop` is true. What is loaded is all that is known, unless it
+    /// is to be saved again: then the picture adds what it lacks. Throws IoError where a file is not what it
+    /// should be. GiMode::brute has no use for files.
     void prepare(const PictureSurvey& survey, const PictureExtent& extent, int threads,
                  const std::atomic<bool>& stop, const RadiosityFiles& files = {});
 
     const IndirectLight& light() const;
+
+    /// The light of the smallest surfel that is known where a ray meets a surface, as seen at the first
+    /// bounce; false if it meets none, or nothing is known there.
+    bool find_surfel(const Ray& ray, Rgb& light) const;
 
     /// What was done so far.
     RadiosityReport report() const;

@@ -40,6 +40,7 @@ public:
 
     const RadiositySettings& settings() const { return *program_.world.settings.radiosity; }
 
+    const ShadingProgram& program() const { return program_; }
     const GatherQuality& quality() const { return quality_; }
 
     /// The directions that they want at that depth.

@@ -4,6 +4,7 @@
 #include "base/scratch.h"
 #include "render/block_borders.h"
 #include "render/pretrace.h"
+#include "render/surfel_view.h"
 
 #include <mutex>
 #include <optional>
@@ -53,6 +54,12 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
                            {std::max(options.width, options.height), options.antialias.method != 0},
                            options.threads, stop, options.radiosity_files);
         indirect = &radiosity->light();
+    }
+    if (options.view_surfels && radiosity) {
+        view_surfels(*radiosity, rays, options, stop, result.film);
+        result.complete = !stop.load(std::memory_order_relaxed);
+        result.radiosity = radiosity->report();
+        return result;
     }
     const SampleDistance distance(world.settings.assumed_gamma, options.antialias.gamma);
     const std::vector<PixelBlock> blocks = blocks_of(region, options.block_size);

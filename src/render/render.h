@@ -37,7 +37,8 @@ struct RenderOptions {
     uint64_t seed = 0;  ///< another one changes all random draws
     GiMode gi = GiMode::automatic;
     RadiosityFiles radiosity_files;
-    double gi_error = 0;  ///< in shares of white; 0: as the scene's settings say
+    bool view_surfels = false;  ///< instead of the picture what radiosity knows of its surfaces
+    double gi_error = 0;        ///< in shares of white; 0: as the scene's settings say
 };
 
 struct RenderResult {

@@ -192,6 +192,24 @@ TEST(Surfels, SaveShadowRays) {
     EXPECT_GT(report->surfel_bytes, 0u);
 }
 
+/// In a closed sphere each surfel sends out what the sphere does without further bounces.
+TEST(Surfels, AreSeen) {
+    RenderOptions options;
+    options.view_surfels = true;
+    const Film film = rendered(GiMode::points, "count 400 recursion_limit 1",
+                               "camera { location 0 direction z right x up y }\n"
+                               "sphere { 0, 10 pigment { rgb 0.5 } finish { emission 0.2 } }",
+                               16, options)
+                          .film;
+    int known = 0;
+    for (const Radiance& pixel : film.pixels) {
+        if (pixel.rgb == Rgb(0.0f, 0.0f, 0.1f)) continue;
+        ++known;
+        EXPECT_NEAR(static_cast<double>(pixel.rgb.x), 0.1, 1e-6);
+    }
+    EXPECT_GT(known, 128);
+}
+
 std::string name_of(const testing::TestParamInfo<GiMode>& info) {
     return info.param == GiMode::points ? "points" : info.param == GiMode::cache ? "cache" : "brute";
 }
