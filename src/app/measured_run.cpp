@@ -2,6 +2,7 @@
 
 #include "base/diagnostics.h"
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -24,6 +25,27 @@ double seconds(const timeval& t) {
     constexpr double micro = 1e-6;
     return static_cast<double>(t.tv_sec) + micro * static_cast<double>(t.tv_usec);
 }
+
+volatile std::sig_atomic_t signal_to_end = 0;
+
+/// While it lives, what would end this process is only noted: its child has to end first.
+class EndingNoted {
+public:
+    EndingNoted() {
+        for (size_t i = 0; i < before_.size(); ++i)
+            before_[i] = std::signal(endings[i], [](int number) { signal_to_end = number; });
+    }
+    ~EndingNoted() {
+        for (size_t i = 0; i < before_.size(); ++i) std::signal(endings[i], before_[i]);
+        if (signal_to_end != 0) std::raise(signal_to_end);
+    }
+    EndingNoted(const EndingNoted&) = delete;
+    EndingNoted& operator=(const EndingNoted&) = delete;
+
+private:
+    static constexpr std::array endings{SIGINT, SIGTERM, SIGHUP};
+    std::array<void (*)(int), endings.size()> before_{};
+};
 
 pid_t start(const std::vector<std::string>& command, const std::string& log) {
     std::vector<char*> arguments;
@@ -48,13 +70,14 @@ MeasuredRun run_measured(const std::vector<std::string>& command, const std::str
     using Clock = std::chrono::steady_clock;
     const auto began = Clock::now();
     const auto wall = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+    const EndingNoted ending;
     const pid_t child = start(command, log);
     MeasuredRun out;
     int status = 0;
     rusage used{};
     constexpr auto pause = std::chrono::milliseconds(2);
     while (wait4(child, &status, WNOHANG, &used) == 0) {
-        if (!out.timed_out && wall() > timeout) {
+        if (!out.timed_out && (wall() > timeout || signal_to_end != 0)) {
             kill(child, SIGKILL);
             out.timed_out = true;
         }

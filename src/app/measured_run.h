@@ -15,7 +15,7 @@ struct MeasuredRun {
 };
 
 /// Runs a program, looked for along PATH; what it prints goes to the file `log`. It is killed after
-/// `timeout` seconds. Throws IoError if it cannot be started.
+/// `timeout` seconds, and when a signal ends this process. Throws IoError if it cannot be started.
 MeasuredRun run_measured(const std::vector<std::string>& command, const std::string& log, double timeout);
 
 /// Where a program of this name would be started from: itself if it has a slash, else along PATH; empty if
