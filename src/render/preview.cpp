@@ -32,6 +32,8 @@ Film enlarged(const Film& coarse, const RenderOptions& options) {
 void preview(const World& world, const RenderOptions& options, const std::atomic<bool>& stop,
              const std::function<void(const Film&)>& show) {
     using Clock = std::chrono::steady_clock;
+    // Its pixels are faces, of which a smaller picture has the first ones.
+    if (world.camera.kind == CameraKind::mesh_camera) return;
     constexpr std::chrono::duration<double> enough{0.3};  // the next one takes four times as long
     constexpr int coarsest = 32;
     RenderOptions rough = options;
