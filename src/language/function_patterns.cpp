@@ -3,7 +3,9 @@
 #include "patterns/pattern_field.h"
 #include "patterns/pigment_program.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -55,6 +57,12 @@ private:
     PigmentProgram program_;
 };
 
+std::vector<Vec3> points_of(std::span<const double* const> coordinates, size_t count) {
+    std::vector<Vec3> points(count);
+    for (size_t i = 0; i < count; ++i) points[i] = {coordinates[0][i], coordinates[1][i], coordinates[2][i]};
+    return points;
+}
+
 class PatternFunction final : public Function {
 public:
     PatternFunction(PatternPtr pattern, const PatternModifiers& modifiers, const GlobalSettings& settings)
@@ -65,6 +73,11 @@ public:
         std::array<Vec3, 1> point{Vec3{a[0], a[1], a[2]}};
         field_.carry(point);
         field_.values({point}, result);
+    }
+    void evaluate_rows(std::span<const double* const> arguments, std::span<double> results) const override {
+        std::vector<Vec3> points = points_of(arguments, results.size());
+        field_.carry(points);
+        field_.values({points}, results);
     }
 
 private:
@@ -85,6 +98,17 @@ public:
         const std::array<float, 5> terms{c.red, c.green, c.blue, c.filter, c.transmit};
         for (size_t i = 0; i < result.size() && i < terms.size(); ++i)
             result[i] = static_cast<double>(terms[i]);
+    }
+    void evaluate_all_rows(std::span<const double* const> arguments,
+                           std::span<double> results) const override {
+        const std::vector<Vec3> points = points_of(arguments, results.size() / 5);
+        std::vector<Color> colors(points.size());
+        program_.evaluate({points}, colors);
+        for (size_t i = 0; i < colors.size(); ++i) {
+            const Color& c = colors[i];
+            const std::array<float, 5> terms{c.red, c.green, c.blue, c.filter, c.transmit};
+            std::ranges::copy(terms, results.begin() + static_cast<std::ptrdiff_t>(5 * i));
+        }
     }
 
 private:

@@ -96,21 +96,20 @@ void fill_row(const Function& function, Image& image, int y) {
         place[static_cast<size_t>(x)] = share(x, image.width);
         place[width + static_cast<size_t>(x)] = share(y, image.height);
     }
+    const std::array<const double*, 3> columns{place.data(), place.data() + width, place.data() + 2 * width};
+    const std::span arguments(columns.data(), static_cast<size_t>(function.parameter_count()));
     uint16_t* to = image.samples.data() + image.index(0, y);
     if (image.channels == 1) {
-        const std::array<const double*, 3> columns{place.data(), place.data() + width,
-                                                   place.data() + 2 * width};
         std::vector<double> values(width);
-        function.evaluate_rows({columns.data(), static_cast<size_t>(function.parameter_count())}, values);
+        function.evaluate_rows(arguments, values);
         std::ranges::transform(values, to, stored);
         return;
     }
-    for (size_t x = 0; x < width; ++x) {
-        const std::array<double, 3> point{place[x], place[width + x], 0.0};
-        std::array<double, 5> color{};
-        function.evaluate({point.data(), static_cast<size_t>(function.parameter_count())}, color);
-        for (size_t c = 0; c < 3; ++c) *to++ = stored(color[c]);
-        *to++ = stored(1.0 - color[4]);
+    std::vector<double> colors(5 * width);
+    function.evaluate_all_rows(arguments, colors);
+    for (size_t i = 0; i < colors.size(); i += 5) {
+        for (size_t c = 0; c < 3; ++c) *to++ = stored(colors[i + c]);
+        *to++ = stored(1.0 - colors[i + 4]);
     }
 }
 

@@ -20,6 +20,10 @@ public:
     /// is `arguments[k][i]`.
     virtual void evaluate_rows(std::span<const double* const> arguments, std::span<double> results) const;
 
+    /// All results for many rows, bit for bit as evaluate() gives them: those of row i begin at
+    /// `results[i * result_count()]`.
+    virtual void evaluate_all_rows(std::span<const double* const> arguments, std::span<double> results) const;
+
     /// Holds result `component` for all arguments within the given intervals.
     virtual Interval bound(std::span<const Interval> arguments, int component) const;
 
