@@ -2,8 +2,6 @@
 
 #include "compile/geometry.h"
 
-#include <algorithm>
-#include <numeric>
 #include <unordered_set>
 
 #include <fmt/format.h>
@@ -50,8 +48,7 @@ void explain_lights(std::string& text, const Needs& needs, const RayCounters& ra
     add(text, "lights", "{}, {} with an area, {} without shadows", needs.lights, needs.area_lights,
         needs.shadowless_lights);
     const uint64_t ways = rays.shadow + rays.unreached + rays.unhindered;
-    add(text, "shadow rays", "{} sent", rays.shadow);
-    add(text, "", "{} not sent ({:.1f} %): the light does not reach the place", rays.unreached,
+    add(text, "shadow rays", "{} not sent ({:.1f} %): the light does not reach the place", rays.unreached,
         percent(rays.unreached, ways));
     add(text, "", "{} not sent ({:.1f} %): nothing stands between", rays.unhindered,
         percent(rays.unhindered, ways));
@@ -59,41 +56,13 @@ void explain_lights(std::string& text, const Needs& needs, const RayCounters& ra
     if (!needs.opaque_shadows) add(text, "opaque shadows", "not looked for: nothing stops light");
 }
 
-void explain_antialiasing(std::string& text, const RenderResult& result) {
-    const uint64_t pixels = result.film.pixels.size();
-    add(text, "camera rays", "{} for {} pixels ({:.2f} a pixel)", result.counters.camera, pixels,
-        percent(result.counters.camera, pixels) / 100.0);
-}
-
-void explain_radiosity(std::string& text, const RadiosityReport& report) {
-    const auto sum = [](const std::vector<size_t>& parts) {
-        return std::accumulate(parts.begin(), parts.end(), size_t{0});
-    };
-    const uint64_t asked = report.interpolations + report.gaps[0] + report.gaps[1];
-    add(text, "radiosity", "{} gathers by {} rays, {} shadow rays", report.gathers, report.rays,
-        report.shadow_rays);
-    add(text, "", "{} places answered by {} records ({:.1f} %)", report.interpolations, sum(report.records),
-        percent(report.interpolations, asked));
-    add(text, "", "{} places seen by the eye and {} seen by gathers had no record: gathered on the spot",
-        report.gaps[0], report.gaps[1]);
-    add(text, "", "{} surfels in {} cells, {} bytes", sum(report.surfels), sum(report.cells),
-        report.surfel_bytes);
-    add(text, "", "error of interpolation, estimated: at most about {:.4f}", report.error_estimate);
-}
-
 }  // namespace
 
 std::string explanation(const World& world, const RenderResult& result) {
-    std::string text = "Explanation\n";
+    std::string text = "What the scene did not need\n";
     explain_geometry(text, world);
     explain_surfaces(text, result.needs);
-    explain_antialiasing(text, result);
     explain_lights(text, result.needs, result.counters);
-    if (result.radiosity) explain_radiosity(text, *result.radiosity);
-    if (result.photons.shot > 0) {
-        add(text, "photons", "{} shot, {} kept on surfaces, {} in media", result.photons.shot,
-            result.photons.on_surfaces, result.photons.in_media);
-    }
     return text;
 }
 

@@ -5,8 +5,8 @@
 
 namespace rb {
 
-/// What was done for a picture and what was left out since the scene does not need it, in lines for people
-/// (`--explain`).
+/// What was left out since the scene does not need it, and how many rays that saved, in lines for people
+/// (`--explain`, after statistics_text()).
 std::string explanation(const World& world, const RenderResult& result);
 
 }  // namespace rb

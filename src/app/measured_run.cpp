@@ -32,12 +32,17 @@ volatile std::sig_atomic_t signal_to_end = 0;
 class EndingNoted {
 public:
     EndingNoted() {
-        for (size_t i = 0; i < before_.size(); ++i)
+        for (size_t i = 0; i < before_.size(); ++i) {
             before_[i] = std::signal(endings[i], [](int number) { signal_to_end = number; });
+            // As under nohup.
+            if (before_[i] == SIG_IGN) std::signal(endings[i], SIG_IGN);
+        }
     }
     ~EndingNoted() {
         for (size_t i = 0; i < before_.size(); ++i) std::signal(endings[i], before_[i]);
-        if (signal_to_end != 0) std::raise(signal_to_end);
+        const int number = signal_to_end;
+        signal_to_end = 0;
+        if (number != 0) std::raise(number);
     }
     EndingNoted(const EndingNoted&) = delete;
     EndingNoted& operator=(const EndingNoted&) = delete;

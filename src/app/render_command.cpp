@@ -195,8 +195,6 @@ int draw_frame(const Settings& settings, const AnimationFrame& frame, ReadScene&
     if (keeps) prepare(state, identity_of(read.sources, identity_words(settings, frame)), settings, console);
 
     start = std::chrono::steady_clock::now();
-    if (settings.view_surfels && !world.settings.radiosity)
-        console.line("warning: the scene has no radiosity{}: it has no surfels to show");
     console.banner("Rendering");
     is_rendering.store(true);
     if (settings.preview && keeps) {
@@ -214,8 +212,11 @@ int draw_frame(const Settings& settings, const AnimationFrame& frame, ReadScene&
     if (keeps && result.complete) state.remove();
     is_rendering.store(false);
     statistics.write_seconds = seconds_since(start);
-    console.keep(MessageStream::statistics, statistics_text(statistics, world, result));
-    if (settings.explain) console.line(explanation(world, result));
+    if (settings.view_surfels && !(result.radiosity && !result.radiosity->cells.empty()))
+        console.line("warning: --gi-view surfels: there are none without radiosity{} and --gi points");
+    const std::string numbers = statistics_text(statistics, world, result);
+    console.keep(MessageStream::statistics, numbers);
+    if (settings.explain) console.line(numbers + explanation(world, result));
     if (settings.stats_file) write_statistics(statistics, world, result, settings);
     return result.complete ? exit_done : exit_stopped;
 }

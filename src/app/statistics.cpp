@@ -45,6 +45,8 @@ std::string radiosity_text(const std::optional<RadiosityReport>& report) {
                        report->shadow_rays) +
            fmt::format("Interpolations:{:>11}  ({:.1f} %) from {} records; error where not trusted {:.4f}\n",
                        report->interpolations, share, sum(report->records), report->error_estimate) +
+           fmt::format("Without record:{:>11}  seen by the eye, {} by gathers: gathered on the spot\n",
+                       report->gaps[0], report->gaps[1]) +
            fmt::format("Surfels:      {:>12}  in {} cells, {} bytes\n", sum(report->surfels),
                        sum(report->cells), report->surfel_bytes);
 }

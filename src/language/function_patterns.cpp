@@ -94,24 +94,23 @@ public:
         const std::array<Vec3, 1> point{Vec3{a[0], a[1], a[2]}};
         std::array<Color, 1> color;
         program_.evaluate({point}, color);
-        const Color& c = color[0];
-        const std::array<float, 5> terms{c.red, c.green, c.blue, c.filter, c.transmit};
-        for (size_t i = 0; i < result.size() && i < terms.size(); ++i)
-            result[i] = static_cast<double>(terms[i]);
+        write(color[0], result);
     }
     void evaluate_all_rows(std::span<const double* const> arguments,
                            std::span<double> results) const override {
         const std::vector<Vec3> points = points_of(arguments, results.size() / 5);
         std::vector<Color> colors(points.size());
         program_.evaluate({points}, colors);
-        for (size_t i = 0; i < colors.size(); ++i) {
-            const Color& c = colors[i];
-            const std::array<float, 5> terms{c.red, c.green, c.blue, c.filter, c.transmit};
-            std::ranges::copy(terms, results.begin() + static_cast<std::ptrdiff_t>(5 * i));
-        }
+        for (size_t i = 0; i < colors.size(); ++i) write(colors[i], results.subspan(5 * i, 5));
     }
 
 private:
+    /// As many of its terms as there is room for.
+    static void write(const Color& c, std::span<double> to) {
+        const std::array terms{c.red, c.green, c.blue, c.filter, c.transmit};
+        std::copy_n(terms.begin(), std::min(terms.size(), to.size()), to.begin());
+    }
+
     PigmentProgram program_;
 };
 

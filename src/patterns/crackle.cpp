@@ -60,8 +60,7 @@ public:
     }
     void evaluate(const PatternContext& context, std::span<const Vec3> points,
                   std::span<double> values) const override {
-        // Points that come one at a time mostly lie in the same cell, too.
-        thread_local NearFeatures features;
+        NearFeatures& features = NearFeatures::of_this_thread();
         const bool plain = shape.metric == 2.0 && !shape.solid;
         for (size_t i = 0; i < points.size(); ++i) {
             const Vec3& p = points[i];

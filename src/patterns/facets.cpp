@@ -26,8 +26,7 @@ public:
     }
     bool perturb(const PatternContext&, float, std::span<const Vec3> points,
                  std::span<Vec3> normals) const override {
-        // Points that come one at a time mostly lie in the same cell, too.
-        thread_local NearFeatures features;
+        NearFeatures& features = NearFeatures::of_this_thread();
         const double scale = shape.size < 1e-6 ? 1e6 : 1.0 / shape.size;
         for (size_t i = 0; i < points.size(); ++i) {
             Vec3& n = normals[i];

@@ -27,6 +27,11 @@ NearFeatures::NearFeatures() {
     for (auto* axis : {&lanes_.x, &lanes_.y, &lanes_.z}) axis->fill(far);
 }
 
+NearFeatures& NearFeatures::of_this_thread() {
+    thread_local NearFeatures features;
+    return features;
+}
+
 const std::array<Vec3, 81>& NearFeatures::around(const FeatureCell& cell) {
     if (filled_ && cell == cell_) return points_;
     const auto& offsets = near_cells();

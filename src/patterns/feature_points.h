@@ -53,6 +53,9 @@ struct FeatureLanes {
 class NearFeatures {
 public:
     NearFeatures();
+    /// Kept from call to call: points that come one at a time mostly lie in the same cell, too.
+    static NearFeatures& of_this_thread();
+
     const std::array<Vec3, 81>& around(const FeatureCell& cell);
     /// The same points.
     const FeatureLanes& lanes_around(const FeatureCell& cell);

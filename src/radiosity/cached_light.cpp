@@ -40,13 +40,13 @@ const IndirectLight* CachedLight::next(int depth) const {
 
 void CachedLight::gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const {
     const IrradianceCache& cache = caches_[static_cast<size_t>(depth)];
-    const bool fills_gaps = rays_.settings().always_sample && depth == 0;
+    const Coverage coverage = rays_.settings().always_sample && depth == 0 ? Coverage::ample : Coverage::any;
     Scratch::Scope memory(thread_scratch());
     const auto gaps = memory.take<uint32_t>(places.size());
     size_t gap_count = 0;
     for (size_t i = 0; i < places.size(); ++i) {
         const auto found = cache.look_up(places[i].point, places[i].normal);
-        if (fills_gaps ? is_enough(found.weight) : found.weight > 0.0) {
+        if (is_enough(found.weight, coverage)) {
             mean[i] = found.mean;
         } else {
             gaps[gap_count++] = static_cast<uint32_t>(i);
@@ -72,16 +72,17 @@ void CachedLight::fill(std::span<const IndirectPlace> places, std::span<const ui
     for (size_t k = 0; k < gaps.size(); ++k) mean[gaps[k]] = fresh[k].mean;
 }
 
-bool CachedLight::is_enough(double weight) const {
-    return fills_gaps_only_ ? weight > 0.0 : 4.0 * weight >= rays_.settings().nearest_count;
+bool CachedLight::is_enough(double weight, Coverage coverage) const {
+    return coverage == Coverage::any ? weight > 0.0 : 4.0 * weight >= rays_.settings().nearest_count;
 }
 
-bool CachedLight::knows(const IndirectPlace& place, int depth) const {
-    return is_enough(caches_[static_cast<size_t>(depth)].look_up(place.point, place.normal).weight);
+bool CachedLight::knows(const IndirectPlace& place, int depth, Coverage coverage) const {
+    return is_enough(caches_[static_cast<size_t>(depth)].look_up(place.point, place.normal).weight, coverage);
 }
 
-void CachedLight::learn(std::span<const IndirectPlace> places, int depth, int threads,
+void CachedLight::learn(std::span<const IndirectPlace> places, int depth, Coverage coverage, int threads,
                         const std::atomic<bool>& stop) {
+    const HemisphereGrid& grid = coverage == Coverage::any ? rays_.pixel_grid() : rays_.grid_at(depth);
     constexpr size_t least_together = 64;
     const auto order = spread_order(places.size());
     IrradianceCache& cache = caches_[static_cast<size_t>(depth)];
@@ -91,11 +92,11 @@ void CachedLight::learn(std::span<const IndirectPlace> places, int depth, int th
         const size_t together = std::max(least_together, cache.size() / 4);
         unknown.clear();
         for (; i < order.size() && unknown.size() < together; ++i) {
-            if (!knows(places[order[i]], depth)) unknown.push_back(places[order[i]]);
+            if (!knows(places[order[i]], depth, coverage)) unknown.push_back(places[order[i]]);
         }
         // The first look around, lest the records that reach farthest are those that nothing has guided.
-        if (depth == 0 && cache.size() == 0) gathered(unknown, depth, threads, stop);
-        const auto records = gathered(unknown, depth, threads, stop);
+        if (depth == 0 && cache.size() == 0) gathered(unknown, depth, grid, threads, stop);
+        const auto records = gathered(unknown, depth, grid, threads, stop);
         if (depth == 0) compare(records);
         for (const IrradianceRecord& record : records) cache.insert(record);
     }
@@ -117,14 +118,14 @@ double CachedLight::error_estimate() const {
 }
 
 std::vector<IrradianceRecord> CachedLight::gathered(std::span<const IndirectPlace> places, int depth,
-                                                    int threads, const std::atomic<bool>& stop) {
+                                                    const HemisphereGrid& grid, int threads,
+                                                    const std::atomic<bool>& stop) {
     constexpr size_t chunk = 8;
     std::vector<IrradianceRecord> records(places.size());
     std::vector<std::vector<Surfel>> fresh((places.size() + chunk - 1) / chunk);
     std::vector<std::vector<Outlook>> views(fresh.size());
     parallel_for(fresh.size(), threads, stop, [&](size_t c) {
         const auto some = places.subspan(c * chunk, std::min(chunk, places.size() - c * chunk));
-        const HemisphereGrid& grid = fills_gaps_only_ ? rays_.pixel_grid() : rays_.grid_at(depth);
         GatherTask task{depth, &grid, next(depth), true, surfels_at(depth)};
         if (task.known) task.fresh = &fresh[c];
         // Later bounces gain nothing: the gathers that ask them even out their noise.
@@ -197,7 +198,7 @@ bool CachedLight::restore(const StoredLight& light) {
 void PlaceCollector::gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const {
     for (size_t i = 0; i < places.size(); ++i) {
         mean[i] = Rgb(0.0f);
-        if (!known_ || !known_->knows(places[i], depth)) out_.push_back(places[i]);
+        if (!known_ || !known_->knows(places[i], depth, coverage_)) out_.push_back(places[i]);
     }
 }
 

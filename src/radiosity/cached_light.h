@@ -7,6 +7,9 @@
 
 namespace rb {
 
+/// When a place counts as known: with as many records near it as `nearest_count` asks for, or with any.
+enum class Coverage { ample, any };
+
 /// Interpolates between places where light was gathered before: one cache for each bounce. What is not known
 /// well enough is gathered on the spot, and not kept, so that answers never depend on what was asked before.
 class CachedLight final : public IndirectLight {
@@ -16,14 +19,12 @@ public:
 
     void gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const override;
 
-    /// There are enough records near a place.
-    bool knows(const IndirectPlace& place, int depth) const;
+    bool knows(const IndirectPlace& place, int depth, Coverage coverage) const;
 
-    /// Gathers at places that are not known yet, in an order that depends on their number only.
-    void learn(std::span<const IndirectPlace> places, int depth, int threads, const std::atomic<bool>& stop);
-
-    /// From now on places with any record near them count as known; the others' are for a pixel or two.
-    void fill_gaps_only() { fills_gaps_only_ = true; }
+    /// Gathers at places that are not known yet, in an order that depends on their number only. Under
+    /// Coverage::any what is missing is for a pixel or two: by fewer rays.
+    void learn(std::span<const IndirectPlace> places, int depth, Coverage coverage, int threads,
+               const std::atomic<bool>& stop);
 
     /// All that it has learned.
     StoredLight stored() const;
@@ -51,10 +52,11 @@ private:
     void compare(std::span<const IrradianceRecord> records);
     const SurfelGrid* surfels_at(int depth) const;
     IrradianceRecord record_of(const IndirectPlace& place, int depth, const Gathered& gathered) const;
-    std::vector<IrradianceRecord> gathered(std::span<const IndirectPlace> places, int depth, int threads,
+    std::vector<IrradianceRecord> gathered(std::span<const IndirectPlace> places, int depth,
+                                           const HemisphereGrid& grid, int threads,
                                            const std::atomic<bool>& stop);
     const IndirectLight* next(int depth) const;
-    bool is_enough(double weight) const;
+    bool is_enough(double weight, Coverage coverage) const;
 
     const RayGather& rays_;
     Vec3 eye_;
@@ -64,7 +66,6 @@ private:
     std::vector<size_t> surfel_counts_;
     double error_squares_ = 0;
     size_t compared_ = 0;
-    bool fills_gaps_only_ = false;
     mutable std::atomic<uint64_t> interpolations_{0};
     mutable std::array<std::atomic<uint64_t>, 2> gaps_{};
 };
@@ -72,14 +73,16 @@ private:
 /// Takes note of the places that ask; serves one thread. It answers with darkness.
 class PlaceCollector final : public IndirectLight {
 public:
-    /// `known`: whose places are left out; or null.
-    PlaceCollector(const CachedLight* known, std::vector<IndirectPlace>& out) : known_(known), out_(out) {}
+    /// `known`: whose places are left out, if they are covered so well; or null.
+    PlaceCollector(const CachedLight* known, Coverage coverage, std::vector<IndirectPlace>& out)
+        : known_(known), coverage_(coverage), out_(out) {}
 
     void gather(std::span<const IndirectPlace> places, int depth, std::span<Rgb> mean) const override;
     bool wants_light() const override { return false; }
 
 private:
     const CachedLight* known_;
+    Coverage coverage_;
     std::vector<IndirectPlace>& out_;
 };
 

@@ -94,13 +94,13 @@ void Radiosity::learn(const PictureSurvey& survey, const PictureExtent& extent, 
     const int first = std::max(finest, static_cast<int>(widest));
     // Some ten thousand places, however large the picture is.
     const int coarse = std::max(std::min(first, 8), extent.longer_side / 256);
-    if (rays_.settings().recursion_limit > 1) learn_later_bounces(survey(coarse, nullptr), threads, stop);
-    for (int step = first; step >= finest; step /= 2) {
-        cached_->learn(survey(step, cached_.get()), 0, threads, stop);
-    }
-    if (!extent.several_samples) return;
-    cached_->fill_gaps_only();
-    cached_->learn(survey(1, cached_.get()), 0, threads, stop);
+    if (rays_.settings().recursion_limit > 1)
+        learn_later_bounces(survey(coarse, nullptr, Coverage::any), threads, stop);
+    const auto learn = [&](int step, Coverage coverage) {
+        cached_->learn(survey(step, cached_.get(), coverage), 0, coverage, threads, stop);
+    };
+    for (int step = first; step >= finest; step /= 2) learn(step, Coverage::ample);
+    if (extent.several_samples) learn(1, Coverage::any);
 }
 
 /// From the last bounce to the second, so that each can ask the one after it.
@@ -111,7 +111,7 @@ void Radiosity::learn_later_bounces(std::vector<IndirectPlace> places, int threa
         places_at.push_back(met_from(places_at.back(), depth - 1, threads, stop));
     }
     for (int depth = rays_.settings().recursion_limit - 1; depth > 0; --depth) {
-        cached_->learn(places_at[static_cast<size_t>(depth)], depth, threads, stop);
+        cached_->learn(places_at[static_cast<size_t>(depth)], depth, Coverage::ample, threads, stop);
     }
 }
 
@@ -126,7 +126,7 @@ std::vector<IndirectPlace> Radiosity::met_from(std::span<const IndirectPlace> pl
     const size_t used = places.size() / stride;
     std::vector<std::vector<IndirectPlace>> parts((used + chunk - 1) / chunk);
     parallel_for(parts.size(), threads, stop, [&](size_t c) {
-        const PlaceCollector collector(nullptr, parts[c]);
+        const PlaceCollector collector(nullptr, Coverage::any, parts[c]);
         const GatherTask task{depth, &grid, &collector};
         Gathered ignored;
         for (size_t i = c * chunk; i < std::min(used, (c + 1) * chunk); ++i) {

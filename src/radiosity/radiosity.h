@@ -25,9 +25,10 @@ private:
     const RayGather& rays_;
 };
 
-/// Lists the places that ask along camera rays `step` pixels apart, without those that `known` knows (or
-/// null).
-using PictureSurvey = std::function<std::vector<IndirectPlace>(int step, const CachedLight* known)>;
+/// Lists the places that ask along camera rays `step` pixels apart, without those that `known` (or null) has
+/// records of.
+using PictureSurvey =
+    std::function<std::vector<IndirectPlace>(int step, const CachedLight* known, Coverage coverage)>;
 
 struct PictureExtent {
     int longer_side;       ///< in pixels

@@ -46,7 +46,7 @@ public:
     /// The directions that they want at that depth.
     const HemisphereGrid& grid_at(int depth) const { return grids_[static_cast<size_t>(depth)]; }
 
-    /// Of places that no record is made of: one pixel's noise shows less than that of all that use a record.
+    /// Of places that matter to a pixel or two: their noise shows less than that of a record that many use.
     const HemisphereGrid& pixel_grid() const { return pixel_grid_; }
     /// A few directions, for places of which many are seen by one that gathers.
     const HemisphereGrid& coarse_grid() const { return coarse_grid_; }

@@ -32,10 +32,10 @@ void survey_row(const Integrator& integrator, const CameraRays& rays, const Rend
 
 PictureSurvey survey_of(const Integrator& integrator, const CameraRays& rays, const RenderOptions& options,
                         const std::atomic<bool>& stop) {
-    return [&integrator, &rays, &options, &stop](int step, const CachedLight* known) {
+    return [&integrator, &rays, &options, &stop](int step, const CachedLight* known, Coverage coverage) {
         std::vector<std::vector<IndirectPlace>> rows(static_cast<size_t>((options.height + step - 1) / step));
         parallel_for(rows.size(), options.threads, stop, [&](size_t row) {
-            const PlaceCollector collector(known, rows[row]);
+            const PlaceCollector collector(known, coverage, rows[row]);
             survey_row(integrator, rays, options, static_cast<int>(row), step, collector);
         });
         std::vector<IndirectPlace> places;

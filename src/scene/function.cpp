@@ -1,18 +1,14 @@
 #include "scene/function.h"
 
-#include <array>
 #include <vector>
 
 namespace rb {
 
 void Function::evaluate_rows(std::span<const double* const> arguments, std::span<double> results) const {
-    std::vector<double> row(arguments.size());
-    std::array<double, 5> out{};
-    for (size_t i = 0; i < results.size(); ++i) {
-        for (size_t k = 0; k < row.size(); ++k) row[k] = arguments[k][i];
-        evaluate(row, {out.data(), static_cast<size_t>(result_count())});
-        results[i] = out[0];
-    }
+    const auto count = static_cast<size_t>(result_count());
+    std::vector<double> all(count * results.size());
+    evaluate_all_rows(arguments, all);
+    for (size_t i = 0; i < results.size(); ++i) results[i] = all[count * i];
 }
 
 void Function::evaluate_all_rows(std::span<const double* const> arguments, std::span<double> results) const {

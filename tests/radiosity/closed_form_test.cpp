@@ -192,6 +192,17 @@ TEST(Surfels, SaveShadowRays) {
     EXPECT_GT(report->surfel_bytes, 0u);
 }
 
+/// With several samples a pixel, too, places with few records gather for themselves.
+TEST(Interpolation, AlwaysSampleGathersMore) {
+    RenderOptions options;
+    options.antialias.method = 2;
+    const auto gaps = [&](const std::string& word) {
+        return rendered(GiMode::points, "count 30 always_sample " + word, several, 32, options)
+            .radiosity->gaps[0];
+    };
+    EXPECT_GT(gaps("on"), 2 * gaps("off") + 100);
+}
+
 /// In a closed sphere each surfel sends out what the sphere does without further bounces.
 TEST(Surfels, AreSeen) {
     RenderOptions options;
