@@ -22,10 +22,11 @@ double bound_for(double written) {
     return std::min(loosest_bound, share * written);
 }
 
-/// Few rays are too few: their noise costs more time than they save, since noisy records reach less far.
+/// As many as written, up to half as many again where those are few: their noise makes records that reach
+/// less far, and so does not save as much time as they do.
 double rays_for(int count) {
-    constexpr int enough = 256;
-    return std::clamp(count, std::min(count, enough / 4) * 4, most_rays);
+    constexpr int enough = 128;
+    return std::clamp(count, std::min(count + count / 2, enough), most_rays);
 }
 
 }  // namespace
