@@ -45,7 +45,7 @@ public:
     PigmentPattern(const Pigment& pigment, const GlobalSettings& settings)
         : program_(pigment, settings_of(settings)) {}
     std::string_view keyword() const override { return "pigment_pattern"; }
-    bool needs_surface() const override { return program_.needs_surface(); }
+    SurfaceNeed surface_need() const override { return program_.surface_need(); }
     void evaluate(const PatternContext& context, std::span<const Vec3> points,
                   std::span<double> values) const override {
         std::vector<Color> colors(points.size());

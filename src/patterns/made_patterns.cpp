@@ -27,7 +27,7 @@ class PreparedPigment final : public Pattern {
 public:
     PreparedPigment(const Pigment& pigment, const PatternSettings& settings) : program_(pigment, settings) {}
     std::string_view keyword() const override { return "pigment_pattern"; }
-    bool needs_surface() const override { return program_.needs_surface(); }
+    SurfaceNeed surface_need() const override { return program_.surface_need(); }
     void evaluate(const PatternContext& context, std::span<const Vec3> points,
                   std::span<double> values) const override {
         Scratch::Scope memory(thread_scratch());

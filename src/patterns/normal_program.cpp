@@ -61,10 +61,10 @@ NormalProgram::NormalProgram(const Normal& normal, const PatternSettings& settin
     }
 }
 
-bool NormalProgram::needs_surface() const {
-    return uv_mapping_ || field_.needs_surface() ||
-           std::any_of(children_.begin(), children_.end(),
-                       [](const NormalProgram& child) { return child.needs_surface(); });
+SurfaceNeed NormalProgram::surface_need() const {
+    SurfaceNeed need = std::max(uv_mapping_ ? SurfaceNeed::place : SurfaceNeed::none, field_.surface_need());
+    for (const NormalProgram& child : children_) need = std::max(need, child.surface_need());
+    return need;
 }
 
 void NormalProgram::perturb(const PatternSamples& samples, std::span<Vec3> normals) const {

@@ -11,7 +11,7 @@ class NormalProgram {
 public:
     NormalProgram(const Normal& normal, const PatternSettings& settings, bool no_bump_scale = false);
 
-    bool needs_surface() const;
+    SurfaceNeed surface_need() const;
     bool keeps_length() const { return keeps_length_; }
     /// Perturbs `normals` in place. With no_bump_scale they are not unit length afterwards.
     void perturb(const PatternSamples& samples, std::span<Vec3> normals) const;

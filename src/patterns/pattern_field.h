@@ -43,7 +43,7 @@ public:
         pattern_->colors(carried.points, out);
     }
 
-    bool needs_surface() const { return pattern_ && pattern_->needs_surface(); }
+    SurfaceNeed surface_need() const { return pattern_ ? pattern_->surface_need() : SurfaceNeed::none; }
     /// The transformations of the chain, which normals must be carried through.
     const PatternModifiers& modifiers() const { return modifiers_; }
 

@@ -120,11 +120,12 @@ bool PigmentProgram::passes_light() const {
                        [](const PigmentProgram& child) { return child.passes_light(); });
 }
 
-bool PigmentProgram::needs_surface() const {
-    if (!map_) return false;
-    return map_->uv_mapping || map_->field.needs_surface() ||
-           std::any_of(map_->children.begin(), map_->children.end(),
-                       [](const PigmentProgram& child) { return child.needs_surface(); });
+SurfaceNeed PigmentProgram::surface_need() const {
+    if (!map_) return SurfaceNeed::none;
+    SurfaceNeed need =
+        std::max(map_->uv_mapping ? SurfaceNeed::place : SurfaceNeed::none, map_->field.surface_need());
+    for (const PigmentProgram& child : map_->children) need = std::max(need, child.surface_need());
+    return need;
 }
 
 void PigmentProgram::evaluate(const PatternSamples& samples, std::span<Color> out) const {

@@ -18,7 +18,7 @@ public:
     /// True if some colour of it has filter or transmit.
     bool passes_light() const;
     /// True if evaluate() needs PatternSamples::surface.
-    bool needs_surface() const;
+    SurfaceNeed surface_need() const;
 
     void evaluate(const PatternSamples& samples, std::span<Color> out) const;
 

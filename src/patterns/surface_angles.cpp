@@ -11,7 +11,7 @@ namespace {
 class AngleOfIncidence final : public Pattern {
 public:
     std::string_view keyword() const override { return "aoi"; }
-    bool needs_surface() const override { return true; }
+    SurfaceNeed surface_need() const override { return SurfaceNeed::view; }
     void evaluate(const PatternContext& context, std::span<const Vec3>,
                   std::span<double> values) const override {
         std::fill(values.begin(), values.end(), 0.0);
@@ -47,7 +47,7 @@ class Slope final : public Pattern {
 public:
     explicit Slope(const SlopeShape& chosen) : shape_(chosen) {}
     std::string_view keyword() const override { return "slope"; }
-    bool needs_surface() const override { return true; }
+    SurfaceNeed surface_need() const override { return SurfaceNeed::place; }
     std::string describe() const override {
         return fmt::format("slope <{},{},{}> point_at {} {}..{}", shape_.direction.x, shape_.direction.y,
                            shape_.direction.z, shape_.toward_point, shape_.low, shape_.high);

@@ -74,6 +74,10 @@ struct SurfaceSamples {
     std::span<const Vec2> uv;
 };
 
+/// What a pattern asks of the surface: nothing, what is the same from everywhere (normals, uv), or directions
+/// to the eye, too. Each takes in those before it.
+enum class SurfaceNeed : uint8_t { none, place, view };
+
 /// What a pattern may ask for besides the points.
 struct PatternContext {
     const PatternModifiers& modifiers;
@@ -108,8 +112,8 @@ public:
     virtual bool keeps_turbulence() const { return false; }
     /// False if this instance wants the black to white map although its kind has a default map.
     virtual bool takes_default_map() const { return true; }
-    /// True if it asks for PatternContext::surface.
-    virtual bool needs_surface() const { return false; }
+    /// What it asks of PatternContext::surface.
+    virtual SurfaceNeed surface_need() const { return SurfaceNeed::none; }
     /// A version made ready for rendering under these settings (nested pigments compiled), or null if this
     /// one will do.
     virtual std::shared_ptr<const Pattern> prepared(int /*noise_generator*/, int /*number_of_waves*/) const {

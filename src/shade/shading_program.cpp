@@ -78,8 +78,10 @@ void ShadingProgram::add_surfaces() {
         program.photons = surface.photons;
         program.uv_mapping = surface.uv_mapping;
         program.double_illuminate = surface.double_illuminate;
-        const bool asked = textures[looks[program.look].texture].needs_surface ||
-                           textures[looks[program.interior_look].texture].needs_surface;
+        const auto asks = [&](uint32_t look) {
+            return textures[looks[look].texture].needs != SurfaceNeed::none;
+        };
+        const bool asked = asks(program.look) || asks(program.interior_look);
         program.needs_uv = surface.uv_mapping || asked || !options.skip_unneeded;
         needs_samples = needs_samples || asked;
         surfaces.push_back(program);

@@ -160,10 +160,15 @@ int Outline::roots(const PlaneLine& line, bool zero_is_negative, uint32_t index,
                    std::array<double, 3>& w) const {
     const CurvePiece& piece = pieces_[index];
     if (piece.degree == 1) {
-        if (contact) return 0;
         const double a = line.side(piece.control[0]);
         const double b = line.side(piece.control[1]);
-        if (is_negative(a, zero_is_negative) == is_negative(b, zero_is_negative)) return 0;
+        const bool crosses = is_negative(a, zero_is_negative) != is_negative(b, zero_is_negative);
+        if (contact) {
+            // By rounding both ends may lie on one side of a line through a contact next to one of them.
+            w[0] = std::round(contact->w);
+            return crosses ? 0 : 1;
+        }
+        if (!crosses) return 0;
         const double x = -a / (b - a);
         w[0] = std::isnan(x) ? 0.5 : std::clamp(x, 0.0, 1.0);
         return 1;

@@ -224,7 +224,7 @@ struct Find {
     std::string_view solid;
     Ray ray;
 };
-constexpr std::array<Find, 6> finds{{
+constexpr std::array<Find, 8> finds{{
     // A root next to the end of a piece.
     {"lathe_4",
      {{1.8891655591404368, 0.11969064497713161, 3.8889636569248918},
@@ -247,6 +247,14 @@ constexpr std::array<Find, 6> finds{{
     {"superellipsoid_2",
      {{-2.8985411388014297, 1.0, 2.7211600088133792},
       {0.73079520770858875, -2.0177433549941316e-31, -0.68259678023717674}}},
+    // In by an edge: both faces that meet there took the ray for theirs.
+    {"prism_2",
+     {{0.78924235728372527, 2.7676479337845632, 3.2819923271396614},
+      {-0.072310589320931304, -0.71488012764767972, -0.69549808178491535}}},
+    // Along the surface: in and out by less than what rounding makes of its place.
+    {"sphere_sweep_2",
+     {{-1.4366462428364601, 3.9567613684849663, -0.22238302857101172},
+      {0.38334027288898903, -0.92144318236865552, 0.063187790337375538}}},
 }};
 
 void once_lost(const std::vector<Solid>& solids, Table& table) {
