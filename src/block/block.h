@@ -93,6 +93,11 @@ std::string dump(const Block& block, int indent = 0);
 struct Session;
 class BlockReader;
 
+struct FontFile {
+    std::string path;
+    std::shared_ptr<const std::string> bytes;
+};
+
 /// Defaults that `#default` edits, and the facts that readers depend on at one place of the scene.
 struct ReadContext {
     Diagnostics* diagnostics = nullptr;
@@ -108,9 +113,9 @@ struct ReadContext {
     /// Takes a picture, as a file or a function, with its gamma: `png "file" gamma 2.2`. A file that is
     /// missing or damaged is an error at its name.
     ImageSource (*take_image)(BlockReader& in) = nullptr;
-    /// The path of a font file; throws if there is none.
-    std::string (*find_font)(const ReadContext& context, const std::string& name,
-                             SourceRange where) = nullptr;
+    /// A font file by its name or path, read once; throws if there is none.
+    const FontFile& (*find_font)(const ReadContext& context, const std::string& name,
+                                 SourceRange where) = nullptr;
     /// The bytes of a density file, shared by all that hold them; throws if there is none.
     std::shared_ptr<const std::string> (*density_file)(const ReadContext& context, const std::string& name,
                                                        SourceRange where) = nullptr;

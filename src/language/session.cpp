@@ -29,9 +29,9 @@ ReadContext Session::context() {
     context.take_transformation = take_transformation;
     context.take_texture = take_texture;
     context.take_image = take_image;
-    context.find_font = [](const ReadContext& c, const std::string& name, SourceRange where) {
-        if (auto path = find_file(*c.session, name, SoughtFile::font, where)) return *path;
-        throw missing_file(*c.session, name, SoughtFile::font, where, "Cannot open font file.");
+    context.find_font = [](const ReadContext& c, const std::string& name,
+                           SourceRange where) -> const FontFile& {
+        return c.session->font_file(name, where);
     };
     context.density_file = [](const ReadContext& c, const std::string& name, SourceRange where) {
         const auto path = find_file(*c.session, name, SoughtFile::df3, where);
@@ -69,6 +69,16 @@ std::shared_ptr<const std::string> Session::density_bytes(const std::string& pat
     auto bytes = std::make_shared<const std::string>(std::move(*read));
     known = bytes;
     return bytes;
+}
+
+const FontFile& Session::font_file(const std::string& name, SourceRange where) {
+    if (const auto known = font_files.find(name); known != font_files.end()) return known->second;
+    const auto path = find_file(*this, name, SoughtFile::font, where);
+    std::optional<std::string> bytes;
+    if (path) bytes = read_whole_file(*path);
+    if (!bytes) throw missing_file(*this, name, SoughtFile::font, where, "Cannot open font file.");
+    FontFile file{*path, std::make_shared<const std::string>(std::move(*bytes))};
+    return font_files.emplace(name, std::move(file)).first->second;
 }
 
 std::string Session::hint(std::string_view word) const {

@@ -71,6 +71,8 @@ struct Session {
     /// cannot be read.
     std::shared_ptr<const std::string> density_bytes(const std::string& path);
     std::map<std::string, std::weak_ptr<const std::string>> density_files;
+    const FontFile& font_file(const std::string& name, SourceRange where);
+    std::map<std::string, FontFile> font_files;
     /// Names for which another file was taken, and said so.
     std::set<std::string> replaced_files;
 

@@ -11,63 +11,77 @@ CellSign sign_of(const Interval& v) {
 
 }  // namespace
 
-FunctionCells::FunctionCells(const Bounds& box, const std::function<Interval(const Bounds&)>& value)
-    : box_(box), step_(box.size() / static_cast<double>(side)) {
-    look(value, 0, 0, 0, side);
-    uint16_t places = 0;
-    for (size_t i = 0; i < count; ++i) {
-        if (unclear_[i]) place_[i] = places++;
-    }
-    details_ = std::make_unique<Detail[]>(places);
+FunctionCells::FunctionCells(const Bounds& box, Value value)
+    : box_(box), step_(box.size() / static_cast<double>(side)), value_(std::move(value)) {
+    look({0, 0, 0}, side);
 }
 
-Bounds FunctionCells::cube(int x, int y, int z, int width) const {
-    const Vec3 lo = box_.lo + step_ * Vec3(x, y, z);
+FunctionCells::~FunctionCells() {
+    for (std::atomic<Block*>& block : blocks_) delete block.load();
+}
+
+FunctionCells::Place FunctionCells::place_of(size_t cell) {
+    const auto block = static_cast<int>(cell / block_size);
+    const auto within = static_cast<int>(cell % block_size);
+    const auto along = [&](int block_stride, int stride) {
+        return block / block_stride % blocks_aside * block_side + within / stride % block_side;
+    };
+    return {along(1, 1), along(blocks_aside, block_side),
+            along(blocks_aside * blocks_aside, block_side * block_side)};
+}
+
+Bounds FunctionCells::cube(const Place& at, int width) const {
+    const Vec3 lo = box_.lo + step_ * Vec3(at.x, at.y, at.z);
     return {lo, glm::min(lo + step_ * static_cast<double>(width), box_.hi)};
 }
 
-Bounds FunctionCells::widened_cube(int x, int y, int z, int width) const {
-    const Bounds cell = cube(x, y, z, width);
+Bounds FunctionCells::widened_cube(const Place& at, int width) const {
+    const Bounds cell = cube(at, width);
     const Vec3 margin = 1e-9 * box_.size();
     return {cell.lo - margin, cell.hi + margin};
 }
 
-void FunctionCells::look(const std::function<Interval(const Bounds&)>& value, int x, int y, int z,
-                         int width) {
-    const CellSign sign = sign_of(value(widened_cube(x, y, z, width)));
-    if (sign == CellSign::unclear && width > 1) {
+void FunctionCells::look(const Place& at, int width) {
+    const CellSign sign = sign_of(value_(widened_cube(at, width)));
+    if (sign == CellSign::unclear && width > block_side) {
         const int half = width / 2;
         for (int k = 0; k < 8; ++k)
-            look(value, x + (k & 1) * half, y + (k >> 1 & 1) * half, z + (k >> 2) * half, half);
+            look({at.x + (k & 1) * half, at.y + (k >> 1 & 1) * half, at.z + (k >> 2) * half}, half);
         return;
     }
-    for (int k = z; k < z + width; ++k) {
-        for (int j = y; j < y + width; ++j) {
-            for (int i = x; i < x + width; ++i) {
-                unclear_[index(i, j, k)] = sign == CellSign::unclear;
-                below_[index(i, j, k)] = sign == CellSign::below;
+    for (int z = at.z; z < at.z + width; z += block_side) {
+        for (int y = at.y; y < at.y + width; y += block_side) {
+            for (int x = at.x; x < at.x + width; x += block_side) {
+                const size_t block = index(x, y, z) / block_size;
+                unclear_[block] = sign == CellSign::unclear;
+                below_[block] = sign == CellSign::below;
             }
         }
     }
+}
+
+/// Of threads that find the same one keeps it.
+FunctionCells::Block& FunctionCells::open(size_t block) const {
+    auto fresh = std::make_unique<Block>();
+    for (size_t i = 0; i < block_size; ++i)
+        fresh->cells[i].sign = sign_of(value_(widened_cube(place_of(block * block_size + i), 1)));
+    Block* known = nullptr;
+    if (blocks_[block].compare_exchange_strong(known, fresh.get(), std::memory_order_acq_rel))
+        return *fresh.release();
+    return *known;
 }
 
 Bounds FunctionCells::hull(bool with_above, bool with_below) const {
     Bounds hull;
-    for (int z = 0; z < side; ++z) {
-        for (int y = 0; y < side; ++y) {
-            for (int x = 0; x < side; ++x) {
-                const CellSign s = sign(index(x, y, z));
-                if ((s == CellSign::above && !with_above) || (s == CellSign::below && !with_below)) continue;
-                hull.include(cube(x, y, z, 1));
-            }
-        }
+    for (size_t block = 0; block < block_count; ++block) {
+        const bool counts = unclear_[block] || (below_[block] ? with_below : with_above);
+        if (counts) hull.include(cube(place_of(block * block_size), block_side));
     }
     return hull;
 }
 
-void FunctionCells::find(size_t cell, const Bound& bound, Detail& detail) const {
-    const auto number = static_cast<int>(cell);
-    const Bounds b = widened_cube(number % side, number / side % side, number / (side * side), 1);
+void FunctionCells::find(size_t cell, const Bound& bound, Cell& detail) const {
+    const Bounds b = widened_cube(place_of(cell), 1);
     for (int axis = 0; axis < 3; ++axis) {
         std::array<IntervalSlope, 3> place;
         for (int i = 0; i < 3; ++i)
@@ -79,13 +93,13 @@ void FunctionCells::find(size_t cell, const Bound& bound, Detail& detail) const 
         const auto hi = std::nextafter(static_cast<float>(s.hi), inf);
         detail.ends[static_cast<size_t>(2 * axis)].store(lo, std::memory_order_relaxed);
         detail.ends[static_cast<size_t>(2 * axis + 1)].store(hi, std::memory_order_relaxed);
-        if (axis == 0) detail.sign.store(sign_of(v.value), std::memory_order_relaxed);
+        if (axis == 0) detail.closer.store(sign_of(v.value), std::memory_order_relaxed);
     }
     detail.known.store(true, std::memory_order_release);
 }
 
-FunctionCells::Content FunctionCells::content(const Detail& detail, const Vec3& direction) {
-    Content content{detail.sign.load(std::memory_order_relaxed), Interval(0.0)};
+FunctionCells::Content FunctionCells::content(const Cell& detail, const Vec3& direction) {
+    Content content{detail.closer.load(std::memory_order_relaxed), Interval(0.0)};
     if (content.sign != CellSign::unclear) return content;
     for (int i = 0; i < 3; ++i) {
         const auto end = [&](int k) {

@@ -16,15 +16,20 @@ namespace rb {
 enum class CellSign : uint8_t { unclear, above, below };
 
 /// A box cut into equal cells, with the sign that a function surely has in each of them and, where that is
-/// unclear, how steep it may be.
+/// unclear, how steep it may be. What stands in a block of cells is found when it is first asked for: most of
+/// a scene's isosurfaces are met by few rays.
 class FunctionCells {
 public:
+    using Value = std::function<Interval(const Bounds&)>;
     using Bound = std::function<IntervalSlope(const std::array<IntervalSlope, 3>& place)>;
 
-    /// `value` holds every value of the function at a place. Big cells are asked first.
-    FunctionCells(const Bounds& box, const std::function<Interval(const Bounds&)>& value);
+    /// `value` holds every value of the function at a place; it is kept. Big boxes are asked first.
+    FunctionCells(const Bounds& box, Value value);
+    ~FunctionCells();
+    FunctionCells(const FunctionCells&) = delete;
+    FunctionCells& operator=(const FunctionCells&) = delete;
 
-    /// The box of all cells but those of a given sign.
+    /// The box of all blocks but those of a given sign.
     Bounds hull(bool with_above, bool with_below) const;
 
     /// Cuts a ray's way through the box, from `t` to `end`, and calls piece(from, to, sign, cell) from the
@@ -40,7 +45,7 @@ public:
     };
     template <class AsBound>
     Content content(size_t cell, const Vec3& direction, const AsBound& bound) const {
-        Detail& detail = details_[place_[cell]];
+        Cell& detail = opened(cell / block_size).cells[cell % block_size];
         if (!detail.known.load(std::memory_order_acquire)) find(cell, bound, detail);
         return content(detail, direction);
     }
@@ -49,26 +54,50 @@ public:
     static constexpr double cell_share = 1.0 / side;  ///< of the box, along each axis
 
 private:
-    static constexpr size_t count = side * side * side;
+    static constexpr int block_side = 2;
+    static constexpr size_t block_size = block_side * block_side * block_side;
+    static constexpr int blocks_aside = side / block_side;
+    static constexpr size_t block_count = blocks_aside * blocks_aside * blocks_aside;
 
-    /// Slopes along the axes. Many threads may write the same.
-    struct Detail {
+    struct Cell {
+        CellSign sign = CellSign::unclear;
+        // A closer look, with slopes along the axes. Many threads may write the same.
         std::atomic<bool> known{false};
-        std::atomic<CellSign> sign{CellSign::unclear};
+        std::atomic<CellSign> closer{CellSign::unclear};
         std::array<std::atomic<float>, 6> ends;
     };
+    struct Block {
+        std::array<Cell, block_size> cells;
+    };
+    struct Place {
+        int x, y, z;
+    };
 
-    static size_t index(int x, int y, int z) { return static_cast<size_t>((z * side + y) * side + x); }
-    CellSign sign(size_t cell) const {
-        return unclear_[cell] ? CellSign::unclear : below_[cell] ? CellSign::below : CellSign::above;
+    /// Cells of a block follow one another.
+    static size_t index(int x, int y, int z) {
+        const int block = (z / block_side * blocks_aside + y / block_side) * blocks_aside + x / block_side;
+        const int within = (z % block_side * block_side + y % block_side) * block_side + x % block_side;
+        return static_cast<size_t>(block) * block_size + static_cast<size_t>(within);
     }
-    /// Finds the sign of the cube of cells from (x, y, z) on.
-    void look(const std::function<Interval(const Bounds&)>& value, int x, int y, int z, int width);
-    Bounds cube(int x, int y, int z, int width) const;
+    static Place place_of(size_t cell);
+
+    CellSign sign(size_t cell) const {
+        const size_t block = cell / block_size;
+        if (unclear_[block]) return opened(block).cells[cell % block_size].sign;
+        return below_[block] ? CellSign::below : CellSign::above;
+    }
+    Block& opened(size_t block) const {
+        Block* const known = blocks_[block].load(std::memory_order_acquire);
+        return known ? *known : open(block);
+    }
+    Block& open(size_t block) const;
+    /// Finds the sign of the blocks in the cube of cells from a place on.
+    void look(const Place& at, int width);
+    Bounds cube(const Place& at, int width) const;
     /// A little more, since rounding may put a ray's way into the next cell.
-    Bounds widened_cube(int x, int y, int z, int width) const;
-    void find(size_t cell, const Bound& bound, Detail& detail) const;
-    static Content content(const Detail& detail, const Vec3& direction);
+    Bounds widened_cube(const Place& at, int width) const;
+    void find(size_t cell, const Bound& bound, Cell& detail) const;
+    static Content content(const Cell& detail, const Vec3& direction);
     /// Where the ray meets a plane between cells; nowhere, if along it.
     double meets(const Ray& ray, int axis, int plane, double inverse) const {
         return ray.direction[axis] == 0.0
@@ -78,10 +107,10 @@ private:
 
     Bounds box_;
     Vec3 step_;  ///< size of a cell
-    std::bitset<count> unclear_;
-    std::bitset<count> below_;             ///< of the others
-    std::array<uint16_t, count> place_{};  ///< of an unclear cell in details_
-    std::unique_ptr<Detail[]> details_;
+    Value value_;
+    std::bitset<block_count> unclear_;
+    std::bitset<block_count> below_;                                 ///< of the others
+    mutable std::array<std::atomic<Block*>, block_count> blocks_{};  ///< those that were asked for
 };
 
 template <class Piece>

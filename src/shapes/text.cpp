@@ -27,14 +27,15 @@ std::u32string characters(const std::string& utf8) {
 }
 
 /// The fonts that `internal` numbers are those that come with the language's files.
-std::string internal_font(BlockReader& in, int number, SourceRange at) {
+const FontFile& internal_font(BlockReader& in, int number, SourceRange at) {
     constexpr std::array<const char*, 3> names{"timrom.ttf", "cyrvetic.ttf", "crystal.ttf"};
     const char* name = number >= 1 && number <= 3 ? names[static_cast<size_t>(number - 1)] : "povlogo.ttf";
     for (const char* folder : {"/usr/share/fonts/truetype/povray", "/usr/share/povray-3.7/include",
                                "/usr/local/share/povray-3.7/include"}) {
         const std::filesystem::path path = std::filesystem::path(folder) / name;
         std::error_code error;
-        if (std::filesystem::is_regular_file(path, error)) return path.string();
+        if (std::filesystem::is_regular_file(path, error))
+            return in.context().find_font(in.context(), path.string(), at);
     }
     return in.context().find_font(in.context(), name, at);
 }
@@ -89,15 +90,15 @@ private:
 
 ShapePtr read(BlockReader& in) {
     const SourceRange at = in.where();
-    std::string path;
+    const FontFile* file = nullptr;
     if (in.take_word("internal")) {
-        path = internal_font(in, in.integer(), at);
+        file = &internal_font(in, in.integer(), at);
     } else {
         if (!in.take_word("ttf")) in.fail(fmt::format("Expected 'ttf', {} found instead", in.found()));
-        path = in.context().find_font(in.context(), in.file_name(), at);
+        file = &in.context().find_font(in.context(), in.file_name(), at);
     }
-    const auto font = Font::open(path);
-    if (!font) in.fail_at(at, fmt::format("Cannot open font file '{}': it is no font.", path));
+    const auto font = Font::open(file->bytes);
+    if (!font) in.fail_at(at, fmt::format("Cannot open font file '{}': it is no font.", file->path));
     const std::string text = in.text();
     auto swept = std::make_shared<SweptOutlines>();
     swept->keyword = "text";

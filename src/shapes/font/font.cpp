@@ -8,6 +8,7 @@
 namespace rb {
 
 struct Font::Face {
+    std::shared_ptr<const std::string> file;
     FT_Library library = nullptr;
     FT_Face face = nullptr;
 
@@ -22,10 +23,13 @@ Font::Font(std::unique_ptr<Face> face) : face_(std::move(face)) {}
 Font::Font(Font&&) noexcept = default;
 Font::~Font() = default;
 
-std::optional<Font> Font::open(const std::string& path) {
+std::optional<Font> Font::open(std::shared_ptr<const std::string> file) {
     auto face = std::make_unique<Face>();
+    face->file = std::move(file);
     if (FT_Init_FreeType(&face->library) != 0) return std::nullopt;
-    if (FT_New_Face(face->library, path.c_str(), 0, &face->face) != 0) return std::nullopt;
+    const auto* const bytes = reinterpret_cast<const FT_Byte*>(face->file->data());
+    const auto size = static_cast<FT_Long>(face->file->size());
+    if (FT_New_Memory_Face(face->library, bytes, size, 0, &face->face) != 0) return std::nullopt;
     if (!FT_IS_SCALABLE(face->face)) return std::nullopt;
     return Font(std::move(face));
 }

@@ -19,8 +19,8 @@ struct Glyph {
 /// Outlines from a TrueType or OpenType file, through FreeType, unhinted.
 class Font {
 public:
-    /// Empty if the file is no font. Of a collection the first font.
-    static std::optional<Font> open(const std::string& path);
+    /// Empty if the file's bytes, which are kept, are no font. Of a collection the first font.
+    static std::optional<Font> open(std::shared_ptr<const std::string> file);
     Font(Font&&) noexcept;
     ~Font();
 
