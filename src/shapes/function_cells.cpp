@@ -13,14 +13,14 @@ CellSign sign_of(const Interval& v) {
 
 FunctionCells::FunctionCells(const Bounds& box, Value value)
     : box_(box), step_(box.size() / static_cast<double>(side)), value_(std::move(value)) {
-    look({0, 0, 0}, side);
+    look(glm::ivec3(0), side);
 }
 
 FunctionCells::~FunctionCells() {
     for (std::atomic<Block*>& block : blocks_) delete block.load();
 }
 
-FunctionCells::Place FunctionCells::place_of(size_t cell) {
+glm::ivec3 FunctionCells::place_of(size_t cell) {
     const auto block = static_cast<int>(cell / block_size);
     const auto within = static_cast<int>(cell % block_size);
     const auto along = [&](int block_stride, int stride) {
@@ -30,23 +30,22 @@ FunctionCells::Place FunctionCells::place_of(size_t cell) {
             along(blocks_aside * blocks_aside, block_side * block_side)};
 }
 
-Bounds FunctionCells::cube(const Place& at, int width) const {
-    const Vec3 lo = box_.lo + step_ * Vec3(at.x, at.y, at.z);
+Bounds FunctionCells::cube(const glm::ivec3& at, int width) const {
+    const Vec3 lo = box_.lo + step_ * Vec3(at);
     return {lo, glm::min(lo + step_ * static_cast<double>(width), box_.hi)};
 }
 
-Bounds FunctionCells::widened_cube(const Place& at, int width) const {
+Bounds FunctionCells::widened_cube(const glm::ivec3& at, int width) const {
     const Bounds cell = cube(at, width);
     const Vec3 margin = 1e-9 * box_.size();
     return {cell.lo - margin, cell.hi + margin};
 }
 
-void FunctionCells::look(const Place& at, int width) {
+void FunctionCells::look(const glm::ivec3& at, int width) {
     const CellSign sign = sign_of(value_(widened_cube(at, width)));
     if (sign == CellSign::unclear && width > block_side) {
         const int half = width / 2;
-        for (int k = 0; k < 8; ++k)
-            look({at.x + (k & 1) * half, at.y + (k >> 1 & 1) * half, at.z + (k >> 2) * half}, half);
+        for (int k = 0; k < 8; ++k) look(at + half * glm::ivec3(k & 1, k >> 1 & 1, k >> 2), half);
         return;
     }
     for (int z = at.z; z < at.z + width; z += block_side) {
@@ -72,12 +71,38 @@ FunctionCells::Block& FunctionCells::open(size_t block) const {
 }
 
 Bounds FunctionCells::hull(bool with_above, bool with_below) const {
-    Bounds hull;
+    const auto counts = [&](CellSign s) {
+        return s == CellSign::unclear || (s == CellSign::below ? with_below : with_above);
+    };
+    glm::ivec3 lo(side);
+    glm::ivec3 hi(0);
     for (size_t block = 0; block < block_count; ++block) {
-        const bool counts = unclear_[block] || (below_[block] ? with_below : with_above);
-        if (counts) hull.include(cube(place_of(block * block_size), block_side));
+        if (!counts(sign_of_block(block))) continue;
+        const glm::ivec3 at = place_of(block * block_size);
+        lo = glm::min(lo, at);
+        hi = glm::max(hi, at + block_side);
     }
-    return hull;
+    if (lo.x >= hi.x) return {};
+    // The outer cells of the outer blocks may do without.
+    const auto is_empty = [&](int axis, int layer) {
+        glm::ivec3 first = lo;
+        glm::ivec3 last = hi;
+        first[axis] = layer;
+        last[axis] = layer + 1;
+        for (int z = first.z; z < last.z; ++z) {
+            for (int y = first.y; y < last.y; ++y) {
+                for (int x = first.x; x < last.x; ++x) {
+                    if (counts(sign(index(x, y, z)))) return false;
+                }
+            }
+        }
+        return true;
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        if (is_empty(axis, lo[axis])) ++lo[axis];
+        if (is_empty(axis, hi[axis] - 1)) --hi[axis];
+    }
+    return {box_.lo + step_ * Vec3(lo), glm::min(box_.lo + step_ * Vec3(hi), box_.hi)};
 }
 
 void FunctionCells::find(size_t cell, const Bound& bound, Cell& detail) const {

@@ -29,7 +29,7 @@ public:
     FunctionCells(const FunctionCells&) = delete;
     FunctionCells& operator=(const FunctionCells&) = delete;
 
-    /// The box of all blocks but those of a given sign.
+    /// The box of all cells but those of a given sign, or a little more.
     Bounds hull(bool with_above, bool with_below) const;
 
     /// Cuts a ray's way through the box, from `t` to `end`, and calls piece(from, to, sign, cell) from the
@@ -69,9 +69,6 @@ private:
     struct Block {
         std::array<Cell, block_size> cells;
     };
-    struct Place {
-        int x, y, z;
-    };
 
     /// Cells of a block follow one another.
     static size_t index(int x, int y, int z) {
@@ -79,12 +76,15 @@ private:
         const int within = (z % block_side * block_side + y % block_side) * block_side + x % block_side;
         return static_cast<size_t>(block) * block_size + static_cast<size_t>(within);
     }
-    static Place place_of(size_t cell);
+    static glm::ivec3 place_of(size_t cell);
 
     CellSign sign(size_t cell) const {
         const size_t block = cell / block_size;
-        if (unclear_[block]) return opened(block).cells[cell % block_size].sign;
-        return below_[block] ? CellSign::below : CellSign::above;
+        const CellSign sign = sign_of_block(block);
+        return sign == CellSign::unclear ? opened(block).cells[cell % block_size].sign : sign;
+    }
+    CellSign sign_of_block(size_t block) const {
+        return unclear_[block] ? CellSign::unclear : below_[block] ? CellSign::below : CellSign::above;
     }
     Block& opened(size_t block) const {
         Block* const known = blocks_[block].load(std::memory_order_acquire);
@@ -92,10 +92,10 @@ private:
     }
     Block& open(size_t block) const;
     /// Finds the sign of the blocks in the cube of cells from a place on.
-    void look(const Place& at, int width);
-    Bounds cube(const Place& at, int width) const;
+    void look(const glm::ivec3& at, int width);
+    Bounds cube(const glm::ivec3& at, int width) const;
     /// A little more, since rounding may put a ray's way into the next cell.
-    Bounds widened_cube(const Place& at, int width) const;
+    Bounds widened_cube(const glm::ivec3& at, int width) const;
     void find(size_t cell, const Bound& bound, Cell& detail) const;
     static Content content(const Cell& detail, const Vec3& direction);
     /// Where the ray meets a plane between cells; nowhere, if along it.
