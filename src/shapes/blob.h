@@ -1,4 +1,5 @@
 #pragma once
+#include "kdtree/box_tree.h"
 #include "math/transform.h"
 #include "scene/shape.h"
 
@@ -29,7 +30,8 @@ struct BlobData {
 /// Where the sum of the components' fields equals the threshold.
 class Blob final : public Shape {
 public:
-    explicit Blob(BlobData data);
+    /// `with_tree`: many components are found by a tree; the slow way round gives the same bits.
+    explicit Blob(BlobData data, bool with_tree = true);
 
     std::string_view keyword() const override { return "blob"; }
     Bounds bounds() const override { return box_; }
@@ -49,11 +51,20 @@ public:
     Vec3 slope(const Vec3& p) const;  ///< minus the gradient of the field
 
 private:
+    /// Call take(component) for those that the ray, or the point, may be within, in the order of the scene:
+    /// their sums are the same bits as over all of them.
+    template <class Take>
+    void each_along(const Ray& ray, Take&& take) const;
+    template <class Take>
+    void each_at(const Vec3& p, Take&& take) const;
+    template <class Take>
+    void each_met(const Ray& ray, double end, Take&& take) const;
     bool starts_here(const ShapeRay& query, double& level) const;
     template <class Take>
     void each_crossing(const ShapeRay& query, Take&& take) const;
 
     BlobData data_;
+    BoxTree tree_;  ///< over the components; empty where they are few
     Bounds box_;
     Bounds extent_;
 };

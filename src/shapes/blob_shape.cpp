@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -19,9 +20,11 @@ struct Chord {
     Vec3 d;
     double enter = 0;
     double leave = 0;
+    double most = 0;  ///< of 1 - r^2 at a distance r along the ray
 
-    bool meets(double at, double from, double to) {
-        if (!(from < to)) return false;
+    void meets(double at, double from, double to, double room) {
+        if (!(from < to)) return;
+        most = std::max(most, room);
         if (!(leave > enter)) {
             enter = from + at;
             leave = to + at;
@@ -29,8 +32,9 @@ struct Chord {
             enter = std::min(enter, from + at);
             leave = std::max(leave, to + at);
         }
-        return true;
     }
+    /// As high as its field may be along the ray.
+    double peak() const { return std::max(component->strength, 0.0) * most * most; }
 
     /// Finds where the ray is within distance 1 of the axis; false if nowhere.
     bool find() {
@@ -40,8 +44,9 @@ struct Chord {
             const Vec3 p = o - Vec3{0, 0, end};
             const double at = -glm::dot(p, d) / dd;
             const Vec3 q = p + at * d;
-            const double half = std::sqrt(std::max(1.0 - glm::dot(q, q), 0.0) / dd);
-            meets(at, -half, half);
+            const double room = std::max(1.0 - glm::dot(q, q), 0.0);
+            const double half = std::sqrt(room / dd);
+            meets(at, -half, half, room);
             if (length == 0.0) break;
         }
         if (length > 0.0) find_between();
@@ -67,7 +72,7 @@ struct Chord {
         } else if (o.z < 0.0 || o.z > length) {
             return;
         }
-        meets(at, from, to);
+        meets(at, from, to, room);
     }
 
     /// Adds the field as a polynomial in u, with t = base + scale u; `within` is in the piece that it holds
@@ -96,12 +101,29 @@ struct Chord {
 
 /// All components that a ray meets, and where the sum of their polynomials changes.
 struct Chords {
-    std::vector<Chord> chords;
+    std::vector<Chord> chords;  ///< in the order of the components
     std::vector<double> cuts;
 
     void clear() {
         chords.clear();
         cuts.clear();
+    }
+    void sort() {
+        std::ranges::sort(cuts);
+        by_entry_.resize(chords.size());
+        std::iota(by_entry_.begin(), by_entry_.end(), 0u);
+        std::ranges::sort(by_entry_, {}, [&](uint32_t i) { return chords[i].enter; });
+        entered_ = 0;
+        around_.clear();
+    }
+    /// Those that reach over a place, in their order. Places must be asked for from near to far.
+    std::span<const uint32_t> around(double t) {
+        std::erase_if(around_, [&](uint32_t i) { return !(chords[i].leave >= t); });
+        for (; entered_ < by_entry_.size() && chords[by_entry_[entered_]].enter <= t; ++entered_) {
+            const uint32_t i = by_entry_[entered_];
+            if (chords[i].leave >= t) around_.insert(std::ranges::upper_bound(around_, i), i);
+        }
+        return around_;
     }
     void cut(double t, double lo, double hi) {
         if (t > lo && t < hi) cuts.push_back(t);
@@ -117,14 +139,43 @@ struct Chords {
                 std::min(hi, chord.leave));
         }
     }
+
+private:
+    std::vector<uint32_t> by_entry_;
+    size_t entered_ = 0;
+    std::vector<uint32_t> around_;
 };
 
-int overlap_count(const std::vector<BlobComponent>& components, size_t i, const std::vector<Bounds>& boxes) {
-    int n = 0;
-    for (size_t k = 0; k < components.size(); ++k) {
-        if (components[k].strength > 0.0 && !intersection(boxes[i], boxes[k]).is_empty()) ++n;
+/// For each component, with how many that have a positive strength it shares space, itself among them.
+std::vector<int> overlap_counts(const std::vector<BlobComponent>& components,
+                                const std::vector<Bounds>& boxes) {
+    std::vector<size_t> order(boxes.size());
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::ranges::sort(order, {}, [&](size_t i) { return boxes[i].lo.x; });
+    std::vector<int> counts(boxes.size(), 0);
+    for (size_t a = 0; a < order.size(); ++a) {
+        const size_t i = order[a];
+        counts[i] += components[i].strength > 0.0 ? 1 : 0;
+        for (size_t b = a + 1; b < order.size() && boxes[order[b]].lo.x <= boxes[i].hi.x; ++b) {
+            const size_t k = order[b];
+            if (intersection(boxes[i], boxes[k]).is_empty()) continue;
+            counts[i] += components[k].strength > 0.0 ? 1 : 0;
+            counts[k] += components[i].strength > 0.0 ? 1 : 0;
+        }
     }
-    return n;
+    return counts;
+}
+
+BoxTree tree_over(const std::vector<Bounds>& boxes) {
+    // Fewer are looked at sooner than a tree of them.
+    constexpr size_t few = 12;
+    std::vector<BoxTree::Item> items;
+    if (boxes.size() <= few) return {};
+    for (const Bounds& box : boxes) {
+        if (!box.is_finite() || box.is_empty()) return {};
+        items.push_back({box, 1});
+    }
+    return BoxTree(items);
 }
 
 /// The box that the language counts for a component: a cylinder's holds a sphere around its middle, too.
@@ -215,16 +266,18 @@ Bounds BlobComponent::box(double r) const {
     return box;
 }
 
-Blob::Blob(BlobData data) : data_(std::move(data)) {
+Blob::Blob(BlobData data, bool with_tree) : data_(std::move(data)) {
     std::vector<Bounds> boxes;
     for (const BlobComponent& c : data_.components) boxes.push_back(c.box(1.0));
+    if (with_tree) tree_ = tree_over(boxes);
+    const std::vector<int> overlaps = overlap_counts(data_.components, boxes);
     // A surface point needs a component that brings its share of the threshold.
     for (size_t i = 0; i < boxes.size(); ++i) {
         const BlobComponent& c = data_.components[i];
         if (data_.threshold > 0.0) {
             if (!(c.strength > 0.0)) continue;
             extent_.include(language_box(c));
-            const double share = data_.threshold / (overlap_count(data_.components, i, boxes) * c.strength);
+            const double share = data_.threshold / (overlaps[i] * c.strength);
             if (share <= 1.0) box_.include(c.box(std::sqrt(1.0 - std::sqrt(share))));
         } else {
             extent_.include(language_box(c));
@@ -235,15 +288,41 @@ Blob::Blob(BlobData data) : data_(std::move(data)) {
 
 Bounds Blob::solid_bounds() const { return data_.threshold > 0.0 ? box_ : Bounds::everything(); }
 
+template <class Take>
+void Blob::each_along(const Ray& ray, Take&& take) const {
+    each_met(ray, std::numeric_limits<double>::infinity(), take);
+}
+
+template <class Take>
+void Blob::each_at(const Vec3& p, Take&& take) const {
+    each_met({p, Vec3{1, 0, 0}}, 0.0, take);
+}
+
+template <class Take>
+void Blob::each_met(const Ray& ray, double end, Take&& take) const {
+    if (tree_.is_empty()) {
+        for (const BlobComponent& c : data_.components) take(c);
+        return;
+    }
+    thread_local std::vector<uint32_t> met;
+    met.clear();
+    tree_.walk(ray, 1, 0.0, end, [&](uint32_t element) {
+        met.push_back(tree_.order()[element]);
+        return false;
+    });
+    std::ranges::sort(met);
+    for (const uint32_t i : met) take(data_.components[i]);
+}
+
 double Blob::field(const Vec3& p) const {
     double sum = 0.0;
-    for (const BlobComponent& c : data_.components) sum += c.field(p);
+    each_at(p, [&](const BlobComponent& c) { sum += c.field(p); });
     return sum;
 }
 
 Vec3 Blob::slope(const Vec3& p) const {
     Vec3 sum{0.0};
-    for (const BlobComponent& c : data_.components) sum += c.slope(p);
+    each_at(p, [&](const BlobComponent& c) { sum += c.slope(p); });
     return sum;
 }
 
@@ -283,26 +362,30 @@ void Blob::each_crossing(const ShapeRay& query, Take&& take) const {
 
     thread_local Chords found;
     found.clear();
-    for (const BlobComponent& c : data_.components) {
+    each_along(ray, [&](const BlobComponent& c) {
         Chord chord{&c, c.object_from_local.inverse_point(start),
                     c.object_from_local.inverse_direction(ray.direction)};
         if (chord.find()) found.add(chord, lo, hi);
-    }
-    std::vector<double>& cuts = found.cuts;
-    std::sort(cuts.begin(), cuts.end());
+    });
+    found.sort();
+    const std::vector<double>& cuts = found.cuts;
     for (size_t i = 0; i + 1 < cuts.size(); ++i) {
         const double a = cuts[i];
         const double b = cuts[i + 1];
         if (!(a < b)) continue;
+        if (shift + a > query.t_max) return;
         // Where the ray starts on the surface, that root is divided out.
         const bool first = at_origin && a == 0.0;
         const double base = first ? 0.0 : a + 0.5 * (b - a);
         const double scale = first ? b : 0.5 * (b - a);
         const double within = a + 0.5 * (b - a);
+        const auto chords = found.around(within);
+        double peak = 0.0;
+        for (const uint32_t k : chords) peak += found.chords[k].peak();
+        constexpr double rounding = 1e-9;
+        if (!first && peak * (1.0 + rounding) < level) continue;
         std::array<double, 5> sum{0, 0, 0, 0, -level};
-        for (const Chord& chord : found.chords) {
-            if (chord.enter <= within && chord.leave >= within) chord.add_to(sum, within, base, scale);
-        }
+        for (const uint32_t k : chords) found.chords[k].add_to(sum, within, base, scale);
         std::array<double, 4> roots{};
         const int n = first ? solve_cubic({sum[0], sum[1], sum[2], sum[3]}, 0.0, 1.0,
                                           std::span<double, 3>(roots.data(), 3))
@@ -344,9 +427,9 @@ ShapePtr Blob::transformed(const Transform& map) const {
 void Blob::textures_at(const Vec3& p, const Crossing&, std::vector<TextureWeight>& out) const {
     if (data_.textures.empty()) return;
     float sum = 0.0f;
-    for (const BlobComponent& c : data_.components) {
+    each_at(p, [&](const BlobComponent& c) {
         const auto weight = static_cast<float>(std::abs(c.field(p)));
-        if (weight == 0.0f) continue;
+        if (weight == 0.0f) return;
         sum += weight;
         const auto known =
             std::find_if(out.begin(), out.end(), [&](const auto& t) { return t.texture == c.texture; });
@@ -355,7 +438,7 @@ void Blob::textures_at(const Vec3& p, const Crossing&, std::vector<TextureWeight
         } else {
             known->weight += weight;
         }
-    }
+    });
     for (TextureWeight& t : out) t.weight /= sum;
 }
 

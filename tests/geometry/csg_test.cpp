@@ -1,17 +1,17 @@
 // Compounds against an evaluation that knows nothing of trees: all crossings of all shapes, sorted, and the
 // solid's inside test between them.
 #include "compile/geometry.h"
-#include "tests/geometry/statement.h"
+#include "shape_cases.h"
+#include "statement.h"
 
 #include <algorithm>
-#include <random>
 
 #include <gtest/gtest.h>
 
 namespace rb {
 namespace {
 
-World world_of(const std::vector<ObjectPtr>& objects, bool brute_force = false) {
+World compiled(const std::vector<ObjectPtr>& objects, bool brute_force = false) {
     Scene scene;
     scene.objects = objects;
     scene.default_texture = plain_texture();
@@ -72,18 +72,6 @@ double first_change(const Object& object, const Ray& ray, double& least_gap) {
     return -1;
 }
 
-class Dice {
-public:
-    double unit() { return unit_(random_); }
-    Vec3 point(double half) { return Vec3{2 * unit() - 1, 2 * unit() - 1, 2 * unit() - 1} * half; }
-    Vec3 direction() { return glm::normalize(Vec3{normal_(random_), normal_(random_), normal_(random_)}); }
-
-private:
-    std::mt19937 random_{17};
-    std::uniform_real_distribution<double> unit_{0, 1};
-    std::normal_distribution<double> normal_;
-};
-
 /// A random compound without unions (whose inner surfaces would also be hit).
 ObjectPtr random_solid(Dice& dice, int depth) {
     auto object = std::make_shared<Object>();
@@ -113,12 +101,12 @@ ObjectPtr random_solid(Dice& dice, int depth) {
 }
 
 TEST(Csg, NestedCompoundsEqualSortedCrossings) {
-    Dice dice;
+    Dice dice(17);
     int wrong = 0;
     int hits = 0;
     for (int trial = 0; trial < 150; ++trial) {
         const ObjectPtr solid = random_solid(dice, 1 + trial % 3);
-        const World world = world_of({solid});
+        const World world = compiled({solid});
         for (int i = 0; i < 300; ++i) {
             RayQuery query;
             query.ray.direction = dice.direction();
@@ -141,7 +129,7 @@ TEST(Csg, NestedCompoundsEqualSortedCrossings) {
 }
 
 TEST(Csg, NoTreeNoDifference) {
-    Dice dice;
+    Dice dice(17);
     std::vector<ObjectPtr> objects;
     for (int i = 0; i < 60; ++i) {
         auto object = std::make_shared<Object>(*random_solid(dice, i % 3));
@@ -151,8 +139,8 @@ TEST(Csg, NoTreeNoDifference) {
     // Coincident ones too: the tie must not depend on the tree.
     objects.push_back(objects[3]);
     objects.push_back(objects[7]);
-    const World tree = world_of(objects);
-    const World brute = world_of(objects, true);
+    const World tree = compiled(objects);
+    const World brute = compiled(objects, true);
     for (int i = 0; i < 20000; ++i) {
         RayQuery query;
         query.ray.direction = dice.direction();
@@ -179,7 +167,7 @@ TEST(Csg, DeclaredCopiesShareTheirLook) {
         transform_object(*copy, Transform::translation({3.0 * i, 0, 0}));
         objects.push_back(copy);
     }
-    const World world = world_of(objects);
+    const World world = compiled(objects);
     EXPECT_EQ(world.geometry->leaves().size(), 100u);
     EXPECT_EQ(world.surfaces.size(), 1u);
     EXPECT_TRUE(world.geometry->leaf(5).in_world_space);
@@ -187,7 +175,7 @@ TEST(Csg, DeclaredCopiesShareTheirLook) {
 
 TEST(Csg, CoincidentSurfaces) {
     const auto seen = [](std::vector<ObjectPtr> objects, const Vec3& from, const Vec3& direction) {
-        const World world = world_of(objects);
+        const World world = compiled(objects);
         RayQuery query;
         query.ray = {from, glm::normalize(direction)};
         Hit hit;
@@ -206,9 +194,9 @@ TEST(Csg, CoincidentSurfaces) {
 
 // A ray that leaves one surface must not see another one that lies in the same place.
 TEST(Csg, CoincidentSurfacesAreIgnoredAtTheOrigin) {
-    const World world = world_of({object_from("plane{y,0}"), object_from("box{<-1,0,-1>,<1,1,1>}"),
+    const World world = compiled({object_from("plane{y,0}"), object_from("box{<-1,0,-1>,<1,1,1>}"),
                                   object_from("disc{<0,0,0>,y,2}"), object_from("sphere{<0,5,0>,1}")});
-    Dice dice;
+    Dice dice(17);
     int wrong = 0;
     for (int i = 0; i < 2000; ++i) {
         RayQuery down;
@@ -231,7 +219,7 @@ TEST(Csg, CoincidentSurfacesAreIgnoredAtTheOrigin) {
 
 TEST(Csg, InteriorsOfSolidsThatHoldAPoint) {
     const World world =
-        world_of({object_from("sphere{0,1}"), object_from("box{-2,<0,2,2>}"), object_from("plane{y,-5}"),
+        compiled({object_from("sphere{0,1}"), object_from("box{-2,<0,2,2>}"), object_from("plane{y,-5}"),
                   object_from("difference{sphere{0,4} sphere{0,3}}")});
     EXPECT_EQ(world.geometry->interiors_at({-0.1, 0, 0}).size(), 2u);
     EXPECT_EQ(world.geometry->interiors_at({0.5, 0, 0}).size(), 1u);
@@ -241,7 +229,7 @@ TEST(Csg, InteriorsOfSolidsThatHoldAPoint) {
 
 TEST(Csg, VisibilityFlags) {
     const World world =
-        world_of({object_from("sphere{0,1 no_shadow}"), object_from("sphere{5,1 no_image}"),
+        compiled({object_from("sphere{0,1 no_shadow}"), object_from("sphere{5,1 no_image}"),
                   object_from("union{sphere{<9,0,0>,1 no_image} sphere{<12,0,0>,1} split_union off}")});
     const auto& leaves = world.geometry->leaves();
     EXPECT_EQ(leaves[0].mask & (blocks_light | filters_light), 0);

@@ -10,7 +10,7 @@ namespace rb {
 namespace {
 
 /// Beside the registry's examples, without modifiers; about as large as the unit cube around the origin.
-constexpr std::array<std::string_view, 26> further{
+constexpr std::array<std::string_view, 27> further{
     "cone { <0,-0.5,0>, 0.5, <0,0.5,0>, 0 }",
     "cone { <-0.3,-0.5,0>, 0.1, <0.2,0.5,0.1>, 0.4 }",
     "cylinder { <-0.4,-0.3,0.2>, <0.5,0.4,-0.1>, 0.05 }",
@@ -45,6 +45,13 @@ constexpr std::array<std::string_view, 26> further{
     "text { internal 2 \"8g\" 0.3, 0 }",
     "isosurface { function { x*x*x*x + y*y*y*y + z*z*z*z - 0.06 } contained_by { box { -0.5, 0.5 } } "
     "max_gradient 4 all_intersections }",
+    "blob { threshold 0.4 sphere { <0.5,-0.5,0>, 0.3, 1 } sphere { <0.4,-0.4,0.3>, 0.3, 1 } sphere { "
+    "<0.1,-0.3,0.5>, 0.3, 1 } sphere { <-0.2,-0.2,0.4>, 0.3, 1 } cylinder { <-0.4,-0.1,0.2>, "
+    "<-0.4,0.1,-0.2>, 0.25, 1 } sphere { <-0.2,0.2,-0.4>, 0.3, 1 } sphere { <0.1,0.3,-0.5>, 0.3, 1 } sphere "
+    "{ "
+    "<0.4,0.4,-0.3>, 0.3, 1 } sphere { <0.5,0.5,0>, 0.3, 1 } sphere { <0,0,0>, 0.2, 1 } sphere { <0.1,0,0>, "
+    "0.2, -0.5 } sphere { <0,0.1,0.1>, 0.2, 1 } cylinder { <0,-0.5,0>, <0,0.5,0>, 0.15, 0.7 } sphere { "
+    "<-0.5,-0.5,-0.5>, 0.2, 2 } }",
 };
 
 }  // namespace
