@@ -1,5 +1,7 @@
 #include "compile/solids.h"
 
+#include <algorithm>
+
 namespace rb {
 
 const SolidLists SolidForest::no_lists;
@@ -9,6 +11,17 @@ bool SolidForest::in_all(std::span<const uint32_t> list, const Vec3& p) const {
         if (!inside(node, p)) return false;
     }
     return true;
+}
+
+template <class Test>
+bool SolidForest::all_at(const SolidNode& node, const Vec3& p, Test&& test) const {
+    if (node.crowd == no_node) return std::ranges::all_of(children_of(node), test);
+    const SolidCrowd& crowd = crowds[node.crowd];
+    constexpr double here = 0.0;
+    return std::ranges::all_of(crowd.everywhere, test) &&
+           !crowd.tree.walk({p, Vec3{1, 0, 0}}, 1, here, here, [&](uint32_t element) {
+               return !test(crowd.local[crowd.tree.order()[element]]);
+           });
 }
 
 bool SolidForest::inside(uint32_t index, const Vec3& p) const {
@@ -29,12 +42,9 @@ bool SolidForest::inside_unclipped(uint32_t index, const Vec3& p) const {
         }
         case SolidNode::Kind::union_:
         case SolidNode::Kind::merge:
-            for (const uint32_t child : children_of(node)) {
-                if (inside(child, p)) return true;
-            }
-            return false;
+            return !all_at(node, p, [&](uint32_t child) { return !inside(child, p); });
         case SolidNode::Kind::intersection:
-            return in_all(children_of(node), p);
+            return all_at(node, p, [&](uint32_t child) { return inside(child, p); });
     }
     return false;
 }
@@ -55,13 +65,11 @@ bool SolidForest::counts(uint32_t leaf, const Vec3& p, const Ray& ray) const {
         const SolidNode& node = nodes[at];
         if (!node.tests_hits) return true;
         if (node.kind == SolidNode::Kind::merge) {
-            for (const uint32_t child : children_of(node)) {
-                if (child != from && inside(child, p)) return false;
-            }
+            const auto is_outside = [&](uint32_t child) { return child == from || !inside(child, p); };
+            if (!all_at(node, p, is_outside)) return false;
         } else if (node.kind == SolidNode::Kind::intersection) {
-            for (const uint32_t child : children_of(node)) {
-                if (child != from && !touches(child, p, ray)) return false;
-            }
+            const auto holds = [&](uint32_t child) { return child == from || touches(child, p, ray); };
+            if (!all_at(node, p, holds)) return false;
         }
         if (!in_all(lists_of(node).clips, p)) return false;
         for (const uint32_t bound : lists_of(node).bounds) {
@@ -95,22 +103,48 @@ bool SolidForest::crosses(uint32_t index, const Ray& ray) const {
     return false;
 }
 
+Bounds SolidForest::hull_of(const SolidNode& shape) const {
+    const PlacedShape& placed = shapes[shape.placed];
+    if (placed.shape->is_patch()) return {};
+    const Bounds hull = placed.shape->solid_bounds();
+    if (placed.in_world_space) return hull;
+    const auto forward = inverse_of(placed.object_from_world);
+    return forward ? transformed(hull, *forward) : Bounds::everything();
+}
+
+void SolidForest::add_crowd(SolidNode& node) {
+    constexpr size_t few = 16;
+    if (node.child_count <= few) return;
+    SolidCrowd crowd;
+    std::vector<BoxTree::Item> items;
+    for (const uint32_t child : children_of(node)) {
+        const SolidNode& c = nodes[child];
+        Bounds box = c.region;
+        if (node.kind == SolidNode::Kind::intersection) {
+            const bool is_complement = c.kind == SolidNode::Kind::shape && c.inverted && c.lists == no_node;
+            box = is_complement ? hull_of(c) : Bounds::everything();
+        }
+        if (box.is_finite() && !box.is_empty()) {
+            // Points in a shape may lie outside of its box by rounding.
+            const Vec3 margin = 1e-9 * (glm::abs(box.lo) + glm::abs(box.hi));
+            items.push_back({{box.lo - margin, box.hi + margin}, 1});
+            crowd.local.push_back(child);
+        } else {
+            crowd.everywhere.push_back(child);
+        }
+    }
+    if (items.size() <= few) return;
+    crowd.tree = BoxTree(items);
+    node.crowd = static_cast<uint32_t>(crowds.size());
+    crowds.push_back(std::move(crowd));
+}
+
 void SolidForest::set_regions(uint32_t index) {
     SolidNode& node = nodes[index];
     Bounds region;
     if (node.kind == SolidNode::Kind::shape) {
-        const PlacedShape& placed = shapes[node.placed];
-        if (placed.shape->is_patch()) {
-            // stays empty
-        } else if (node.inverted) {
-            region = Bounds::everything();
-        } else {
-            region = placed.shape->solid_bounds();
-            if (!placed.in_world_space) {
-                const auto forward = inverse_of(placed.object_from_world);
-                region = forward ? transformed(region, *forward) : Bounds::everything();
-            }
-        }
+        const bool is_complement = node.inverted && !shapes[node.placed].shape->is_patch();
+        region = is_complement ? Bounds::everything() : hull_of(node);
     } else {
         if (node.kind == SolidNode::Kind::intersection) region = Bounds::everything();
         for (const uint32_t child : children_of(node)) {
@@ -121,6 +155,7 @@ void SolidForest::set_regions(uint32_t index) {
                 region.include(nodes[child].region);
             }
         }
+        add_crowd(node);
     }
     for (const uint32_t clip : lists_of(node).clips) {
         set_regions(clip);

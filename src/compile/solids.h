@@ -1,4 +1,5 @@
 #pragma once
+#include "kdtree/box_tree.h"
 #include "scene/object.h"
 
 #include <cstdint>
@@ -22,13 +23,22 @@ struct SolidNode {
     uint32_t lists = no_node;  ///< index into SolidForest::lists, for the few that have any
     uint32_t first_child = 0;  ///< index into SolidForest::children
     uint32_t child_count = 0;
-    Bounds region;  ///< holds every point inside
+    uint32_t crowd = no_node;  ///< index into SolidForest::crowds, for compounds of many
+    Bounds region;             ///< holds every point inside
 };
 
 /// Nodes that further limit a node.
 struct SolidLists {
     std::vector<uint32_t> clips;   ///< all must contain the point
     std::vector<uint32_t> bounds;  ///< all must be met by the ray (kept `bounded_by` only)
+};
+
+/// The children of a compound by where they have a say. Elsewhere a `local` child is outside of a union or a
+/// merge, and inside of an intersection, whose local children are complements.
+struct SolidCrowd {
+    std::vector<uint32_t> everywhere;
+    std::vector<uint32_t> local;
+    BoxTree tree;  ///< over `local`
 };
 
 /// A shape and where it stands.
@@ -45,6 +55,7 @@ public:
     std::vector<PlacedShape> shapes;
     std::vector<uint32_t> children;  ///< of all compounds, one after the other
     std::vector<SolidLists> lists;
+    std::vector<SolidCrowd> crowds;
 
     /// INSIDE* of the spec: inside the node's clips and its shape or compound.
     bool inside(uint32_t node, const Vec3& p) const;
@@ -61,7 +72,7 @@ public:
         return nodes[node].difference && !all.empty() ? all.first(1) : all;
     }
 
-    /// Computes `region` of the node and all below, its clips and bounds.
+    /// Computes `region` and, for compounds of many, crowds of the node and all below, its clips and bounds.
     void set_regions(uint32_t node);
     /// `box` of the surface of shape node `leaf`, cut down to the regions in which its hits can count.
     Bounds cut(uint32_t leaf, const Bounds& box) const;
@@ -73,6 +84,12 @@ private:
     const SolidLists& lists_of(const SolidNode& node) const {
         return node.lists == no_node ? no_lists : lists[node.lists];
     }
+    /// True if test(child) is true for all children that have a say at `p`.
+    template <class Test>
+    bool all_at(const SolidNode& node, const Vec3& p, Test&& test) const;
+    /// Holds every point inside a shape, whether inverted or not.
+    Bounds hull_of(const SolidNode& shape) const;
+    void add_crowd(SolidNode& node);
     bool in_all(std::span<const uint32_t> list, const Vec3& p) const;
     Bounds cut_by_others(uint32_t leaf, Bounds box) const;
     /// `box` cut down to what shapes among `limits`, which must all hold, leave of it together with it.

@@ -49,15 +49,17 @@ ReadContext Session::context() {
 }
 
 TokenFilePtr Session::tokens_of(const std::string& path) {
-    if (const auto known = files.find(path); known != files.end()) return known->second;
+    const auto known = files.find(path);
+    if (known != files.end() && !has_written) return known->second;
     std::optional<std::string> text = read_whole_file(path);
     if (!text) throw IoError(fmt::format("Cannot read file {}.", path));
+    if (known != files.end() && known->second->text == *text) return known->second;
     const uint32_t number = sources.add(path, std::move(*text));
     LexOptions lexing;
     lexing.runs = options.number_runs;
     lexing.quick = options.quick_expressions;
     TokenFilePtr tokens = lex(number, sources.text(number), words, lexing);
-    files.emplace(path, tokens);
+    files.insert_or_assign(path, tokens);
     return tokens;
 }
 

@@ -64,9 +64,10 @@ struct Session {
     int effective_version() const { return version_seen ? language_version : 362; }
     ReadContext context();
 
-    /// Lexes each file once.
+    /// Lexes each file once, and again where the scene has written another text into it.
     TokenFilePtr tokens_of(const std::string& path);
     std::map<std::string, TokenFilePtr> files;
+    bool has_written = false;  ///< some file by #fopen
     /// The bytes of a file of density_file by its path, read once as long as somebody holds them; null: it
     /// cannot be read.
     std::shared_ptr<const std::string> density_bytes(const std::string& path);

@@ -1,7 +1,9 @@
 // mandel, julia, magnet (manual 3.4.7.1.16): escape time fractals in the xy plane.
 #include "patterns/formula.h"
+#include "patterns/quad.h"
 
 #include <algorithm>
+#include <array>
 #include <complex>
 
 namespace rb {
@@ -35,7 +37,116 @@ Complex quotient(const Complex& a, const Complex& b) {
             (a.imag() * b.real() - a.real() * b.imag()) / size};
 }
 
-class Fractal final : public PointPattern<Fractal> {
+/// Where an orbit ended: after `steps` steps it escaped, or it was followed to the last of them.
+struct OrbitEnd {
+    Complex z;
+    int steps = 0;
+    double smallest = 0;  ///< norm on the way
+};
+
+/// Watches for an orbit to come back to the very same numbers: from then on it repeats itself for ever. Looks
+/// at every `stride`th step only, at a distance from a place that moves on (Brent's rule).
+class CycleWatch {
+public:
+    static constexpr int stride = 64;
+
+    bool is_due(int step) const { return step % stride == stride - 1; }
+    /// How many steps the place is back.
+    int distance(int step) const { return step - at_; }
+    /// True if the place has to be moved to `step`.
+    bool moves_on(int step) {
+        if (step - at_ < window_) return false;
+        at_ = step;
+        window_ *= 2;
+        return true;
+    }
+
+private:
+    int at_ = -1;
+    int window_ = stride;
+};
+
+constexpr size_t lanes = 8;
+
+/// Orbits of z^2 + c side by side.
+struct Squares {
+    std::array<double, lanes> x;
+    std::array<double, lanes> y;
+    std::array<double, lanes> cx;
+    std::array<double, lanes> cy;
+    std::array<OrbitEnd, lanes> ends;
+};
+
+RB_INLINE void step_square(Quad& x, Quad& y, const Quad& cx, const Quad& cy) {
+    const Quad re = x * x - y * y;
+    const Quad im = x * y + y * x;
+    x = re + cx;
+    y = im + cy;
+}
+
+template <class Lanes>
+RB_INLINE bool any(const Lanes& a, const Lanes& b) {
+    const auto both = a | b;
+    return (both[0] | both[1] | both[2] | both[3]) != 0;
+}
+
+/// The same bits as one by one.
+RB_FOR_EACH_TARGET void follow(Squares& orbits, int iterations) {
+    Quad x[2], y[2], cx[2], cy[2], smallest[2], from_x[2], from_y[2];
+    for (size_t h = 0; h < 2; ++h) {
+        load(&orbits.x[4 * h], x[h]);
+        load(&orbits.y[4 * h], y[h]);
+        load(&orbits.cx[4 * h], cx[h]);
+        load(&orbits.cy[4 * h], cy[h]);
+        smallest[h] = x[h] * x[h] + y[h] * y[h];
+        from_x[h] = x[h];
+        from_y[h] = y[h];
+    }
+    CycleWatch watch;
+    unsigned done = 0;
+    constexpr unsigned all = (1u << lanes) - 1;
+    const auto end = [&](unsigned lane, int steps) RB_INLINED {
+        const size_t h = lane / 4;
+        orbits.ends[lane] = {{x[h][lane % 4], y[h][lane % 4]}, steps, smallest[h][lane % 4]};
+        done |= 1u << lane;
+    };
+    for (int k = 0; k < iterations && done != all; ++k) {
+        decltype(x[0] > 4.0) escaped[2];
+        for (size_t h = 0; h < 2; ++h) {
+            step_square(x[h], y[h], cx[h], cy[h]);
+            const Quad norm = x[h] * x[h] + y[h] * y[h];
+            smallest[h] = norm < smallest[h] ? norm : smallest[h];
+            escaped[h] = norm > 4.0;
+        }
+        if (any(escaped[0], escaped[1])) {
+            for (unsigned lane = 0; lane < lanes; ++lane) {
+                if (escaped[lane / 4][lane % 4] != 0 && !(done >> lane & 1)) end(lane, k);
+            }
+        }
+        if (!watch.is_due(k)) continue;
+        for (unsigned lane = 0; lane < lanes; ++lane) {
+            const size_t h = lane / 4;
+            const unsigned i = lane % 4;
+            if (done >> lane & 1 || x[h][i] != from_x[h][i] || y[h][i] != from_y[h][i]) continue;
+            Quad last_x = x[h];
+            Quad last_y = y[h];
+            for (int left = (iterations - 1 - k) % watch.distance(k); left > 0; --left)
+                step_square(last_x, last_y, cx[h], cy[h]);
+            end(lane, iterations);
+            orbits.ends[lane].z = {last_x[i], last_y[i]};
+        }
+        if (!watch.moves_on(k)) continue;
+        for (size_t h = 0; h < 2; ++h) {
+            from_x[h] = x[h];
+            from_y[h] = y[h];
+        }
+    }
+    for (unsigned lane = 0; lane < lanes; ++lane) {
+        if (!(done >> lane & 1)) end(lane, iterations);
+    }
+}
+
+class Fractal final : public Pattern {
 public:
     explicit Fractal(const FractalShape& chosen) : shape(chosen) {}
     std::string_view keyword() const override {
@@ -49,23 +160,62 @@ public:
                            shape.interior_factor);
     }
 
-    double value(const Vec3& p) const {
-        const bool from_zero = shape.magnet > 0 && !shape.julia;
-        const Complex at{p.x, p.y};
-        const Complex c = shape.julia ? shape.seed : at;
-        Complex z = from_zero ? Complex{} : at;
-        double smallest = from_zero ? 10000.0 : std::norm(z);
-        for (int k = 0; k < shape.iterations; ++k) {
-            z = next(z, c);
-            smallest = std::min(smallest, std::norm(z));
-            if (escaped(z)) return outside(z, k);
+    void evaluate(const PatternContext&, std::span<const Vec3> points,
+                  std::span<double> values) const override {
+        const bool of_squares = shape.magnet == 0 && shape.exponent == 2;
+        // Fewer are followed one by one in about that time.
+        constexpr size_t fewest = 3;
+        size_t i = 0;
+        for (; of_squares && i + fewest <= points.size(); i += lanes) {
+            const size_t n = std::min(lanes, points.size() - i);
+            follow_squares(points.subspan(i, n), values.subspan(i, n));
         }
-        return inside(z, smallest);
+        for (; i < points.size(); ++i) values[i] = value(end_of(points[i]));
     }
 
     const FractalShape shape;
 
 private:
+    void follow_squares(std::span<const Vec3> points, std::span<double> values) const {
+        Squares orbits;
+        for (size_t k = 0; k < lanes; ++k) {
+            const Vec3& p = points[std::min(k, points.size() - 1)];
+            orbits.x[k] = p.x;
+            orbits.y[k] = p.y;
+            orbits.cx[k] = shape.julia ? shape.seed.real() : p.x;
+            orbits.cy[k] = shape.julia ? shape.seed.imag() : p.y;
+        }
+        follow(orbits, shape.iterations);
+        for (size_t k = 0; k < points.size(); ++k) values[k] = value(orbits.ends[k]);
+    }
+    OrbitEnd end_of(const Vec3& p) const {
+        const bool from_zero = shape.magnet > 0 && !shape.julia;
+        const Complex at{p.x, p.y};
+        const Complex c = shape.julia ? shape.seed : at;
+        OrbitEnd end;
+        end.z = from_zero ? Complex{} : at;
+        end.smallest = from_zero ? 10000.0 : std::norm(end.z);
+        CycleWatch watch;
+        Complex from = end.z;
+        for (; end.steps < shape.iterations; ++end.steps) {
+            const int k = end.steps;
+            end.z = next(end.z, c);
+            end.smallest = std::min(end.smallest, std::norm(end.z));
+            if (escaped(end.z)) return end;
+            if (!watch.is_due(k)) continue;
+            if (end.z == from) {
+                for (int left = (shape.iterations - 1 - k) % watch.distance(k); left > 0; --left)
+                    end.z = next(end.z, c);
+                end.steps = shape.iterations;
+                return end;
+            }
+            if (watch.moves_on(k)) from = end.z;
+        }
+        return end;
+    }
+    double value(const OrbitEnd& end) const {
+        return end.steps < shape.iterations ? outside(end.z, end.steps) : inside(end.z, end.smallest);
+    }
     Complex next(const Complex& z, const Complex& c) const {
         if (shape.magnet == 0) return power(z, shape.exponent) + c;
         Complex ratio;

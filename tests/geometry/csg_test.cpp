@@ -5,6 +5,8 @@
 #include "statement.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -100,12 +102,34 @@ ObjectPtr random_solid(Dice& dice, int depth) {
     return object;
 }
 
-TEST(Csg, NestedCompoundsEqualSortedCrossings) {
+/// Many small solids, and a half-space, that are taken from a box, or joined without inner surfaces.
+ObjectPtr random_crowd(Dice& dice, CsgKind kind) {
+    constexpr std::array<std::string_view, 5> texts{"sphere{0,.2}", "box{-.15,.15}",
+                                                    "cylinder{<0,-.2,0>,<0,.2,0>,.1}", "torus{.15,.05}",
+                                                    "intersection{ sphere{0,.2} box{<-.1,-1,-1>,<.1,1,1>} }"};
+    auto children = std::make_shared<std::vector<ObjectPtr>>();
+    if (kind == CsgKind::difference) children->push_back(object_from("box{-1,1}"));
+    children->push_back(object_from("plane{y,-.9}"));
+    for (int i = 0; i < 60; ++i) {
+        auto child = std::make_shared<Object>(*object_from(texts[dice.below(texts.size())]));
+        transform_object(
+            *child, then(Transform::rotation_deg(dice.point(180)), Transform::translation(dice.point(1))));
+        children->push_back(child);
+    }
+    auto object = std::make_shared<Object>();
+    Csg csg;
+    csg.kind = kind;
+    csg.children = children;
+    object->geometry = csg;
+    return object;
+}
+
+void expect_sorted_crossings(const std::function<ObjectPtr(int trial, Dice&)>& solid_of, int trials) {
     Dice dice(17);
     int wrong = 0;
     int hits = 0;
-    for (int trial = 0; trial < 150; ++trial) {
-        const ObjectPtr solid = random_solid(dice, 1 + trial % 3);
+    for (int trial = 0; trial < trials; ++trial) {
+        const ObjectPtr solid = solid_of(trial, dice);
         const World world = compiled({solid});
         for (int i = 0; i < 300; ++i) {
             RayQuery query;
@@ -124,8 +148,19 @@ TEST(Csg, NestedCompoundsEqualSortedCrossings) {
                 ++wrong;
         }
     }
-    EXPECT_GT(hits, 5000);
+    EXPECT_GT(hits, 33 * trials);
     EXPECT_EQ(wrong, 0);
+}
+
+TEST(Csg, NestedCompoundsEqualSortedCrossings) {
+    expect_sorted_crossings([](int trial, Dice& dice) { return random_solid(dice, 1 + trial % 3); }, 150);
+}
+
+TEST(Csg, CompoundsOfManyEqualSortedCrossings) {
+    const auto crowd = [](int trial, Dice& dice) {
+        return random_crowd(dice, trial % 2 == 0 ? CsgKind::difference : CsgKind::merge);
+    };
+    expect_sorted_crossings(crowd, 20);
 }
 
 TEST(Csg, NoTreeNoDifference) {

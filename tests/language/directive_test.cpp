@@ -217,6 +217,15 @@ TEST(Files, WriteAndReadBack) {
     EXPECT_EQ(said(text), "0.333333 1,2,3 hi 0");
 }
 
+TEST(Files, IncludesAreReadAgainAfterTheyWereWritten) {
+    const std::string name = std::string(RB_BINARY_DIR) + "/language_test_written.inc";
+    const std::string text =
+        "#macro Parse(T) #fopen F \"" + name + "\" write #write(F,T) #fclose F #include \"" + name +
+        "\" #end Parse(\"#declare A = 1;\") D(A) Parse(\"#declare A = 2;\") D(A) #include \"" + name +
+        "\" D(A)";
+    EXPECT_EQ(said(text), "1.000000 2.000000 2.000000");
+}
+
 TEST(Version, DecidesGamma) {
     const Reading none = read_scene("sphere { 0, 1 }");
     EXPECT_EQ(none.scene.effective_version, 362);
