@@ -52,7 +52,14 @@ RB_FOR_EACH_TARGET void least_squares(const Vec3& p, const FeatureLanes& feature
 
 class Crackle final : public Pattern {
 public:
-    explicit Crackle(const CrackleShape& chosen) : shape(chosen) {}
+    explicit Crackle(const CrackleShape& chosen) : shape(chosen) {
+        // Of three numbers the norms of two exponents differ by no more than this factor; very small
+        // exponents magnify rounding errors.
+        constexpr double least_bounded = 0.01;
+        constexpr double rounding = 1.0 + 1e-9;
+        if (shape.metric > least_bounded)
+            square_spread_ = rounding * std::pow(3.0, 2.0 * std::abs(1.0 / shape.metric - 0.5));
+    }
     std::string_view keyword() const override { return "crackle"; }
     std::string describe() const override {
         return fmt::format("crackle form <{},{},{}> metric {} offset {} solid {}", shape.form.x, shape.form.y,
@@ -66,8 +73,8 @@ public:
             const Vec3& p = points[i];
             const bool quick = plain && std::isfinite(p.x + p.y + p.z);
             const FeatureCell cell = FeatureCell::of(p);
-            const Nearest nearest = quick ? nearest_by_square(p, features.lanes_around(cell))
-                                          : nearest_to(p, features.around(cell));
+            const Nearest nearest =
+                quick ? nearest_by_square(p, features.lanes_around(cell)) : nearest_to(p, features, cell);
             values[i] =
                 clamp01(shape.solid ? noise(nearest.point, context.noise_generator) : combined(nearest));
         }
@@ -88,17 +95,16 @@ private:
         return std::pow(d.x, shape.metric) + std::pow(d.y, shape.metric) + std::pow(d.z, shape.metric);
     }
 
-    Nearest nearest_to(const Vec3& p, const std::array<Vec3, 81>& features) const {
+    Nearest nearest_to(const Vec3& p, NearFeatures& features, const FeatureCell& cell) const {
         constexpr double far = std::numeric_limits<double>::max();
         Nearest n{{far, far, far}, p};
-        // Where powers are dear: of positive metrics no distance is shorter than its longest component. Very
-        // small ones magnify rounding errors.
-        constexpr double least_bounded = 0.01;
-        const bool is_bounded = shape.metric > least_bounded && shape.metric != 1.0 && shape.metric != 2.0;
+        // Powers are dear: features that are too far by squares are not among the three nearest.
         double reach = std::numeric_limits<double>::infinity();
-        for (const Vec3& feature : features) {
+        if (std::isfinite(p.x + p.y + p.z))
+            reach = square_spread_ * nearest_by_square(p, features.lanes_around(cell)).sum[2];
+        for (const Vec3& feature : features.around(cell)) {
             const Vec3 d = glm::abs(feature - p);
-            if (std::max({d.x, d.y, d.z}) > reach) continue;
+            if (glm::dot(d, d) > reach) continue;
             const double sum = sum_of(d);
             if (sum >= n.sum[2]) continue;
             if (sum < n.sum[0]) {
@@ -109,8 +115,6 @@ private:
             } else {
                 n.sum[2] = sum;
             }
-            constexpr double rounding = 1.0 + 1e-12;
-            if (is_bounded) reach = rounding * std::pow(n.sum[2], 1.0 / shape.metric);
         }
         return n;
     }
@@ -138,6 +142,8 @@ private:
         }
         return result;
     }
+
+    double square_spread_ = std::numeric_limits<double>::infinity();
 };
 
 PatternPtr read(BlockReader&) { return std::make_shared<Crackle>(CrackleShape{}); }
