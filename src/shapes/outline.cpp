@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace rb {
 
@@ -177,26 +178,33 @@ int Outline::roots(const PlaneLine& line, bool zero_is_negative, uint32_t index,
     for (int i = 0; i <= piece.degree; ++i)
         b[static_cast<size_t>(i)] = line.side(piece.control[static_cast<size_t>(i)]);
     bool start = is_negative(b[0], zero_is_negative);
-    const bool end = is_negative(b[static_cast<size_t>(piece.degree)], zero_is_negative);
+    bool end = is_negative(b[static_cast<size_t>(piece.degree)], zero_is_negative);
     auto c = CurvePiece::powers(b, piece.degree);
     int degree = piece.degree;
+    std::optional<double> crossed_end;
     if (contact) {
         // Divided by w - contact: the other crossings stay where they are.
         for (size_t i = 1; i < 4; ++i) c[i] += contact->w * c[i - 1];
         c = {0.0, c[0], c[1], c[2]};
         start = !start;
         --degree;
+        // Next to an end the line's side of it is mere rounding. Where what is left says otherwise, the end
+        // itself is crossed.
+        constexpr double near = 1e-9;
+        bool& close_end = contact->w < 0.5 ? start : end;
+        const double at_end = std::round(contact->w);
+        const bool says = (c[1] * at_end + c[2]) * at_end + c[3] < 0.0;
+        if (std::abs(contact->w - at_end) < near && says != close_end) {
+            close_end = says;
+            crossed_end = at_end;
+        }
     }
-    switch (degree) {
-        case 0:
-            return 0;
-        case 1:
-            return sign_changes<1>({c[2], c[3]}, start, end, std::span<double, 1>(w.data(), 1));
-        case 2:
-            return sign_changes<2>({c[1], c[2], c[3]}, start, end, std::span<double, 2>(w.data(), 2));
-        default:
-            return sign_changes<3>(c, start, end, w);
-    }
+    int n = 0;
+    if (degree == 1) n = sign_changes<1>({c[2], c[3]}, start, end, std::span<double, 1>(w.data(), 1));
+    if (degree == 2) n = sign_changes<2>({c[1], c[2], c[3]}, start, end, std::span<double, 2>(w.data(), 2));
+    if (degree == 3) n = sign_changes<3>(c, start, end, w);
+    if (crossed_end) w[static_cast<size_t>(n++)] = *crossed_end;
+    return n;
 }
 
 bool Outline::contains(const Vec2& p) const {
