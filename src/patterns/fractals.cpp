@@ -63,7 +63,7 @@ public:
 
 private:
     int at_ = -1;
-    int window_ = stride;
+    int64_t window_ = stride;
 };
 
 constexpr size_t lanes = 8;

@@ -4,6 +4,7 @@
 #include "patterns/pigment_program.h"
 #include "patterns/registry.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace rb {
@@ -40,6 +41,46 @@ TEST(Patterns, ExamplesOfTheRegistryCanBeReadAndEvaluated) {
         std::array<double, 4> values{};
         PatternField(written.pattern, written.modifiers, {}).values({places, nullptr, {}}, values);
         for (const double v : values) EXPECT_TRUE(std::isfinite(v)) << kind->keyword;
+    }
+}
+
+/// z^2 + c step by step, as the manual has it; `interior`: 1 or 2.
+double followed_plainly(const Vec3& p, int iterations, int interior) {
+    double x = p.x;
+    double y = p.y;
+    double smallest = x * x + y * y;
+    for (int k = 0; k < iterations; ++k) {
+        const double re = x * x - y * y;
+        const double im = x * y + y * x;
+        x = re + p.x;
+        y = im + p.y;
+        const double norm = x * x + y * y;
+        smallest = std::min(smallest, norm);
+        if (norm > 4.0) return static_cast<double>(k) / iterations;
+    }
+    return interior == 1 ? std::sqrt(smallest) : x;
+}
+
+TEST(Patterns, OrbitsOfFractalsAreTheSameBitsSideBySideAndInCycles) {
+    for (const int interior : {1, 2}) {
+        for (const int iterations : {7, 64, 200, 3001}) {
+            const WrittenPattern mandel =
+                pattern_of(fmt::format("mandel {} interior {}, 1", iterations, interior));
+            std::array<Vec3, 333> points;
+            for (size_t i = 0; i < points.size(); ++i) {
+                const auto t = static_cast<double>(i);
+                points[i] = {-0.6 + 1.6 * std::sin(1.7 * t), 1.2 * std::cos(2.3 * t), 0.0};
+            }
+            std::array<double, points.size()> together{};
+            const PatternContext context{mandel.modifiers};
+            mandel.pattern->evaluate(context, points, together);
+            for (size_t i = 0; i < points.size(); ++i) {
+                double alone = 0;
+                mandel.pattern->evaluate(context, {&points[i], 1}, {&alone, 1});
+                ASSERT_EQ(alone, together[i]) << i;
+                ASSERT_EQ(alone, followed_plainly(points[i], iterations, interior)) << i;
+            }
+        }
     }
 }
 
