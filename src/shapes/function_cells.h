@@ -55,9 +55,9 @@ public:
 
 private:
     static constexpr int block_side = 2;
-    static constexpr size_t block_size = block_side * block_side * block_side;
+    static constexpr size_t block_size = size_t{block_side} * block_side * block_side;
     static constexpr int blocks_aside = side / block_side;
-    static constexpr size_t block_count = blocks_aside * blocks_aside * blocks_aside;
+    static constexpr size_t block_count = size_t{blocks_aside} * blocks_aside * blocks_aside;
 
     struct Cell {
         CellSign sign = CellSign::unclear;
