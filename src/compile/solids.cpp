@@ -17,11 +17,9 @@ template <class Test>
 bool SolidForest::all_at(const SolidNode& node, const Vec3& p, Test&& test) const {
     if (node.crowd == no_node) return std::ranges::all_of(children_of(node), test);
     const SolidCrowd& crowd = crowds[node.crowd];
-    constexpr double here = 0.0;
-    return std::ranges::all_of(crowd.everywhere, test) &&
-           !crowd.tree.walk({p, Vec3{1, 0, 0}}, 1, here, here, [&](uint32_t element) {
-               return !test(crowd.local[crowd.tree.order()[element]]);
-           });
+    return std::ranges::all_of(crowd.everywhere, test) && !crowd.tree.walk_at(p, 1, [&](uint32_t element) {
+        return !test(crowd.local[crowd.tree.order()[element]]);
+    });
 }
 
 bool SolidForest::inside(uint32_t index, const Vec3& p) const {

@@ -32,6 +32,12 @@ public:
     /// Ends early when `visit` returns true.
     template <class Visit>
     bool walk(const Ray& ray, RayMask mask, double t_min, const double& t_max, Visit&& visit) const;
+    /// The same for the elements whose boxes may hold a point.
+    template <class Visit>
+    bool walk_at(const Vec3& p, RayMask mask, Visit&& visit) const {
+        constexpr double here = 0.0;
+        return walk({p, Vec3{1, 0, 0}}, mask, here, here, visit);
+    }
 
 private:
     friend class BoxTreeBuilder;

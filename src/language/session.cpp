@@ -65,7 +65,7 @@ TokenFilePtr Session::tokens_of(const std::string& path) {
 
 std::shared_ptr<const std::string> Session::density_bytes(const std::string& path) {
     std::weak_ptr<const std::string>& known = density_files[path];
-    if (auto bytes = known.lock()) return bytes;
+    if (auto bytes = known.lock(); bytes && !has_written) return bytes;
     std::optional<std::string> read = read_whole_file(path);
     if (!read) return nullptr;
     auto bytes = std::make_shared<const std::string>(std::move(*read));

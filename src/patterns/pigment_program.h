@@ -17,7 +17,7 @@ public:
     const Color& constant() const { return color_; }
     /// True if some colour of it has filter or transmit.
     bool passes_light() const;
-    /// True if evaluate() needs PatternSamples::surface.
+    /// What evaluate() asks of PatternSamples::surface.
     SurfaceNeed surface_need() const;
 
     void evaluate(const PatternSamples& samples, std::span<Color> out) const;

@@ -79,7 +79,7 @@ void ShadingProgram::add_surfaces() {
         program.uv_mapping = surface.uv_mapping;
         program.double_illuminate = surface.double_illuminate;
         const auto asks = [&](uint32_t look) {
-            return textures[looks[look].texture].needs != SurfaceNeed::none;
+            return textures[looks[look].texture].surface_need != SurfaceNeed::none;
         };
         const bool asked = asks(program.look) || asks(program.interior_look);
         program.needs_uv = surface.uv_mapping || asked || !options.skip_unneeded;

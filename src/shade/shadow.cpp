@@ -240,7 +240,7 @@ Rgb ShadowTracer::surface_filter(const SurfaceProgram& surface, const Hit& hit, 
     const TextureProgram& texture = program_.textures[look.texture];
     const Vec3 normal = from_inside ? -hit.normal : hit.normal;
     Vec2 uv{0.0};
-    if (surface.uv_mapping || texture.needs != SurfaceNeed::none) uv = program_.geometry.uv(hit);
+    if (surface.uv_mapping || texture.surface_need != SurfaceNeed::none) uv = program_.geometry.uv(hit);
     Vec3 point = surface.uv_mapping ? Vec3{uv.x, uv.y, 0.0} : hit.point;
     if (!look.transform.empty()) point = std::get<Transform>(look.transform.front()).inverse_point(point);
     const SurfaceSamples samples{{&hit.point, 1}, {&normal, 1}, {&direction, 1}, {&uv, 1}};

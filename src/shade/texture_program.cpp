@@ -68,11 +68,11 @@ void TextureProgram::add_layer(const Texture& texture, TextureCompiler& compiler
     if (texture.normal && settings.quality >= 8) {
         layer.normal = std::make_shared<NormalProgram>(*texture.normal, settings.patterns);
     }
-    needs = std::max(needs, layer.pigment.surface_need());
-    if (layer.normal) needs = std::max(needs, layer.normal->surface_need());
+    surface_need = std::max(surface_need, layer.pigment.surface_need());
+    if (layer.normal) surface_need = std::max(surface_need, layer.normal->surface_need());
     passes_light = passes_light || layer.pigment.passes_light();
     has_fresnel = has_fresnel || (layer.finish->reflects && layer.finish->finish.reflection.fresnel);
-    is_matt = is_matt && needs != SurfaceNeed::view && !passes_light && !layer.finish->reflects &&
+    is_matt = is_matt && surface_need != SurfaceNeed::view && !passes_light && !layer.finish->reflects &&
               layer.finish->finish.irid_amount == 0.0f;
     layers.push_back(std::move(layer));
 }
@@ -84,16 +84,17 @@ void TextureProgram::add_children(const Texture& texture, TextureCompiler& compi
     chosen.field = PatternField(texture.average ? nullptr : texture.pattern, texture.modifiers,
                                 compiler.settings.patterns);
     chosen.positions = MapPositions::of(texture.map);
-    needs = std::max(chosen.uv_mapping ? SurfaceNeed::place : SurfaceNeed::none, chosen.field.surface_need());
+    surface_need =
+        std::max(chosen.uv_mapping ? SurfaceNeed::place : SurfaceNeed::none, chosen.field.surface_need());
     for (const auto& entry : texture.map) {
         chosen.children.emplace_back(*entry.value, compiler);
         const TextureProgram& child = chosen.children.back();
-        needs = std::max(needs, child.needs);
+        surface_need = std::max(surface_need, child.surface_need);
         passes_light = passes_light || child.passes_light;
         has_fresnel = has_fresnel || child.has_fresnel;
         is_matt = is_matt && child.is_matt;
     }
-    is_matt = is_matt && needs != SurfaceNeed::view;
+    is_matt = is_matt && surface_need != SurfaceNeed::view;
     map = std::make_shared<TextureMapProgram>(std::move(chosen));
 }
 

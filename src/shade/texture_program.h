@@ -70,8 +70,8 @@ struct TextureProgram {
     std::vector<LayerProgram> layers;  ///< top first
     std::shared_ptr<const TextureMapProgram> map;
 
-    SurfaceNeed needs = SurfaceNeed::none;  ///< the most that a pattern asks for
-    bool passes_light = false;              ///< some place may be transparent
+    SurfaceNeed surface_need = SurfaceNeed::none;  ///< the most that a pattern asks for
+    bool passes_light = false;                     ///< some place may be transparent
     bool has_fresnel = false;
     bool is_matt = true;  ///< it shows the same light to everyone
 

@@ -57,8 +57,8 @@ private:
     void each_along(const Ray& ray, Take&& take) const;
     template <class Take>
     void each_at(const Vec3& p, Take&& take) const;
-    template <class Take>
-    void each_met(const Ray& ray, double end, Take&& take) const;
+    template <class Walk, class Take>
+    void each_found(Walk&& walk, Take&& take) const;
     bool starts_here(const ShapeRay& query, double& level) const;
     template <class Take>
     void each_crossing(const ShapeRay& query, Take&& take) const;

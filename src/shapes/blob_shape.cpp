@@ -108,7 +108,8 @@ struct Chords {
         chords.clear();
         cuts.clear();
     }
-    void sort() {
+    /// Before around() is asked.
+    void set_out() {
         std::ranges::sort(cuts);
         by_entry_.resize(chords.size());
         std::iota(by_entry_.begin(), by_entry_.end(), 0u);
@@ -290,23 +291,24 @@ Bounds Blob::solid_bounds() const { return data_.threshold > 0.0 ? box_ : Bounds
 
 template <class Take>
 void Blob::each_along(const Ray& ray, Take&& take) const {
-    each_met(ray, std::numeric_limits<double>::infinity(), take);
+    constexpr double end = std::numeric_limits<double>::infinity();
+    each_found([&](const auto& found) { tree_.walk(ray, 1, 0.0, end, found); }, take);
 }
 
 template <class Take>
 void Blob::each_at(const Vec3& p, Take&& take) const {
-    each_met({p, Vec3{1, 0, 0}}, 0.0, take);
+    each_found([&](const auto& found) { tree_.walk_at(p, 1, found); }, take);
 }
 
-template <class Take>
-void Blob::each_met(const Ray& ray, double end, Take&& take) const {
+template <class Walk, class Take>
+void Blob::each_found(Walk&& walk, Take&& take) const {
     if (tree_.is_empty()) {
         for (const BlobComponent& c : data_.components) take(c);
         return;
     }
     thread_local std::vector<uint32_t> met;
     met.clear();
-    tree_.walk(ray, 1, 0.0, end, [&](uint32_t element) {
+    walk([&](uint32_t element) {
         met.push_back(tree_.order()[element]);
         return false;
     });
@@ -367,7 +369,7 @@ void Blob::each_crossing(const ShapeRay& query, Take&& take) const {
                     c.object_from_local.inverse_direction(ray.direction)};
         if (chord.find()) found.add(chord, lo, hi);
     });
-    found.sort();
+    found.set_out();
     const std::vector<double>& cuts = found.cuts;
     for (size_t i = 0; i + 1 < cuts.size(); ++i) {
         const double a = cuts[i];

@@ -226,6 +226,18 @@ TEST(Files, IncludesAreReadAgainAfterTheyWereWritten) {
     EXPECT_EQ(said(text), "1.000000 2.000000 2.000000");
 }
 
+TEST(Files, DensityFilesAreReadAgainAfterTheyWereWritten) {
+    const std::string name = std::string(RB_BINARY_DIR) + "/language_test_written.df3";
+    const std::string text = "#macro Write(V) #fopen F \"" + name +
+                             "\" write #write(F, uint16be 1, uint16be 1, uint16be 1, uint8 V) #fclose F #end "
+                             "#macro Read() function { pigment { density_file df3 \"" +
+                             name +
+                             "\" color_map { [0 rgb 0] [1 rgb 1] } } } #end "
+                             "Write(255) #declare P = Read() Write(0) #declare Q = Read() D(P(.5, .5, "
+                             ".5).gray) D(Q(.5, .5, .5).gray)";
+    EXPECT_EQ(said(text), "1.000000 0.000000");
+}
+
 TEST(Version, DecidesGamma) {
     const Reading none = read_scene("sphere { 0, 1 }");
     EXPECT_EQ(none.scene.effective_version, 362);
