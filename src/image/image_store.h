@@ -10,6 +10,7 @@ namespace rb {
 class ImageStore final : public ImageFiles {
 public:
     ImagePtr read(const std::string& path, ImageType type) override;
+    void forget() override { images_.clear(); }
 
 private:
     std::map<std::pair<std::string, ImageType>, ImagePtr> images_;

@@ -44,7 +44,7 @@ void TokenStream::do_fopen(SourceRange) {
         file->tokens = lex(number, session_.sources.text(number), session_.words, options);
     } else {
         check_may_write(session_, name, where);
-        session_.has_written = true;
+        session_.note_writing();
         if (session_.options.file_access)
             file->out = std::fopen(name.c_str(), file->mode == OpenFile::Mode::write ? "wb" : "ab");
         if (!file->out) {

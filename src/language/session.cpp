@@ -48,6 +48,12 @@ ReadContext Session::context() {
     return context;
 }
 
+void Session::note_writing() {
+    has_written = true;
+    density_files.clear();
+    if (options.images) options.images->forget();
+}
+
 TokenFilePtr Session::tokens_of(const std::string& path) {
     const auto known = files.find(path);
     if (known != files.end() && !has_written) return known->second;
@@ -65,7 +71,7 @@ TokenFilePtr Session::tokens_of(const std::string& path) {
 
 std::shared_ptr<const std::string> Session::density_bytes(const std::string& path) {
     std::weak_ptr<const std::string>& known = density_files[path];
-    if (auto bytes = known.lock(); bytes && !has_written) return bytes;
+    if (auto bytes = known.lock()) return bytes;
     std::optional<std::string> read = read_whole_file(path);
     if (!read) return nullptr;
     auto bytes = std::make_shared<const std::string>(std::move(*read));

@@ -67,9 +67,11 @@ struct Session {
     /// Lexes each file once, and again where the scene has written another text into it.
     TokenFilePtr tokens_of(const std::string& path);
     std::map<std::string, TokenFilePtr> files;
-    bool has_written = false;  ///< some file by #fopen: what was read may be out of date
-    /// The bytes of a file of density_file by its path, read once as long as somebody holds them, and again
-    /// once the scene has written files; null: it cannot be read.
+    /// #fopen is about to write a file: what was read of any may soon be out of date.
+    void note_writing();
+    bool has_written = false;
+    /// The bytes of a file of density_file by its path, read once as long as somebody holds them; null: it
+    /// cannot be read.
     std::shared_ptr<const std::string> density_bytes(const std::string& path);
     std::map<std::string, std::weak_ptr<const std::string>> density_files;
     const FontFile& font_file(const std::string& name, SourceRange where);

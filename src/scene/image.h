@@ -48,6 +48,8 @@ public:
     /// Decodes a file, once however often it is asked for. Throws IoError for a file that cannot be read, is
     /// of another type or damaged.
     virtual ImagePtr read(const std::string& path, ImageType type) = 0;
+    /// Files may have changed: what is asked for from now on is decoded anew.
+    virtual void forget() = 0;
 };
 
 }  // namespace rb

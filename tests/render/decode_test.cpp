@@ -178,5 +178,17 @@ TEST(Decode, DamagedFilesAreErrors) {
     EXPECT_THROW(decode_png(palette_png.substr(0, 80)), IoError);
 }
 
+TEST(ImageStore, DecodesAnewOnceItHasForgotten) {
+    const std::string path = (std::filesystem::temp_directory_path() / "rb_image_store_test.pgm").string();
+    const auto write = [&](int value) { std::ofstream(path) << "P2\n1 1\n255\n" << value << "\n"; };
+    ImageStore store;
+    write(255);
+    const ImagePtr bright = store.read(path, ImageType::pgm);
+    write(0);
+    EXPECT_EQ(store.read(path, ImageType::pgm), bright);
+    store.forget();
+    EXPECT_NE(store.read(path, ImageType::pgm), bright);
+}
+
 }  // namespace
 }  // namespace rb
