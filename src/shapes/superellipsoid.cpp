@@ -133,6 +133,9 @@ private:
                 const Slopes slopes = shape_.slopes(o + t * d);
                 value_ = slopes.value - level_;
                 slope_ = glm::dot(d, slopes.gradient);
+                rounding_ =
+                    4.0 * std::numeric_limits<double>::epsilon() *
+                    (1.0 + glm::dot(glm::abs(slopes.gradient), glm::abs(o) + std::abs(t) * glm::abs(d)));
                 at_ = t;
             }
             return value_;
@@ -142,6 +145,8 @@ private:
             value(t);
             return slope_;
         }
+        /// Whether the value's sign is more than rounding makes it.
+        bool is_told(double t) const { return std::abs(value(t)) > rounding_; }
         /// Within one octant.
         IntervalSlope bound(double from, double to) const {
             std::array<IntervalSlope, 3> size;
@@ -165,6 +170,7 @@ private:
         mutable double at_ = std::numeric_limits<double>::quiet_NaN();
         mutable double value_ = 0.0;
         mutable double slope_ = 0.0;
+        mutable double rounding_ = 0.0;
     };
 
     bool starts_here(const ShapeRay& query, const Vec3& o) const {
@@ -188,7 +194,11 @@ private:
         double reach = b;
         const auto note = [&](double t) { return reach = take(t); };
         constexpr double beside = 1e-9;
-        if (here) cuts[0] = beside * b;
+        if (here) {
+            // A ray along the surface would go in and out of it with every last bit.
+            cuts[0] = beside * b;
+            while (cuts[0] < cuts[1] && !line.is_told(cuts[0])) cuts[0] = std::min(2.0 * cuts[0], cuts[1]);
+        }
         double f = line.value(cuts[0]);
         for (size_t i = 0; i + 1 < n; ++i) {
             if (!(cuts[i] < cuts[i + 1])) continue;
