@@ -129,8 +129,8 @@ double SphereSweep::way_through(const Start& start, const RayFrame& frame) const
     return 2.0 * glm::dot(center - frame.origin, frame.along);
 }
 
-/// Whether a way that a ray along the surface is still on, though it leaves the ball where it starts, is no
-/// longer than rounding makes it: a ball of radius r that lacks e gives one of 2 sqrt(2 r e).
+/// Whether a way that a ray along the surface is on at its start is no longer than rounding makes it: a ball
+/// of radius r that lacks e, or has it too much, gives one of 2 sqrt(2 r e).
 bool SphereSweep::is_rounding(const Way& way, const Start& start, const ShapeRay& ray) const {
     if (way.in > 0.0) return false;
     const double r = glm::length(ray.ray.origin - Vec3{pieces_[start.piece].at(start.w)});
@@ -167,7 +167,7 @@ void SphereSweep::crossings(const ShapeRay& ray, Crossings& out) const {
             way.out_piece = ways[i].out_piece;
             way.out_w = ways[i].out_w;
         }
-        if (leaves && is_rounding(way, *start, ray)) continue;
+        if (start && is_rounding(way, *start, ray)) continue;
         // Who has left has entered what he leaves next, however near.
         add(leaves ? std::max(way.in, first) : way.in, way.in_piece, way.in_w);
         add(way.out, way.out_piece, way.out_w);
@@ -189,10 +189,11 @@ bool SphereSweep::any(const ShapeRay& ray, const CrossingFilter* filter, Crossin
         return found.t > ray.t_min && found.t <= ray.t_max;
     };
     const double through = start ? way_through(*start, frame) : 0.0;
-    if (through > 0.0 && take(through, start->piece, start->w)) return true;
+    const bool enters = through > 0.0 && !is_rounding({0.0, through, 0, 0, 0.0, 0.0}, *start, ray);
+    if (enters && take(through, start->piece, start->w)) return true;
     const SweepQuestion question{frame, start.has_value(), start ? start->level : 0.0};
     const auto is_hit_by = [&](const Way& way) {
-        if (start && !(through > 0.0) && is_rounding(way, *start, ray)) return false;
+        if (start && is_rounding(way, *start, ray)) return false;
         // Who has left the surface enters a ball ahead of it, however near.
         return (start &&
                 take(std::max(way.in, std::numeric_limits<double>::min()), way.in_piece, way.in_w)) ||

@@ -224,7 +224,7 @@ struct Find {
     std::string_view solid;
     Ray ray;
 };
-constexpr std::array<Find, 12> finds{{
+constexpr std::array<Find, 13> finds{{
     // A root next to the end of a piece.
     {"lathe_4",
      {{1.8891655591404368, 0.11969064497713161, 3.8889636569248918},
@@ -268,6 +268,9 @@ constexpr std::array<Find, 12> finds{{
     {"superellipsoid_5",
      {{1.1299781649835769, -2.7788135274038321, 2.6424426985224563},
       {-0.33608860635292231, 0.57209161059526714, -0.74816818815441732}}},
+    {"sphere_sweep_2",
+     {{3.0340323231119064, -3.3465423306155087, -0.051051975916580228},
+      {-0.61780122561705064, 0.78623591690989192, 0.012438994610969711}}},
 }};
 
 void once_lost(const std::vector<Solid>& solids, Table& table) {
