@@ -1,5 +1,6 @@
-// The numerical stress suite. usage: stress [--share S] [--case PART_OF_NAME] [FAMILY ...]; S = 1 (all) is
-// hours, 0.001 is the everyday run. Exit code 1 if anything failed.
+// The numerical stress suite. usage: stress [--share S] [--from S] [--case PART_OF_NAME] [FAMILY ...]; share
+// 1 (all) is hours, 0.001 is the everyday run; `from` leaves out what a run with that share has tried. Exit
+// code 1 if anything failed.
 #include "base/parallel.h"
 #include "stress.h"
 
@@ -18,19 +19,21 @@ namespace rb::stress {
 void Table::run(const std::string& what, uint64_t count, const std::function<Trial(Dice&)>& trial) {
     if (!is_wanted(what)) return;
     constexpr uint64_t block = 256;
+    const auto begin = static_cast<uint64_t>(done_ * static_cast<double>(count));
     std::mutex lock;
     uint64_t tried = 0;
     uint64_t failed = 0;
     uint64_t first_at = count;
     std::string first;
     std::map<std::string, uint64_t> by_name;
-    parallel_for((count + block - 1) / block, 0, [&](size_t b) {
+    parallel_for((count - begin + block - 1) / block, 0, [&](size_t b) {
         uint64_t block_tried = 0;
         uint64_t block_failed = 0;
         uint64_t block_first = count;
         std::string text;
         std::map<std::string, uint64_t> names;
-        for (uint64_t i = b * block; i < std::min((b + 1) * block, count); ++i) {
+        const uint64_t first_of_block = begin + b * block;
+        for (uint64_t i = first_of_block; i < std::min(first_of_block + block, count); ++i) {
             Dice dice(i);
             Trial result = trial(dice);
             block_tried += result.counts ? 1 : 0;
@@ -81,17 +84,24 @@ int main(int argc, char** argv) {
     using namespace rb::stress;
     constexpr std::array<const Family*, 5> families{&solvers, &leaks, &placement, &hard_cases, &specks};
     Effort effort;
+    double from = 0.0;
     std::string_view wanted_case;
     std::vector<std::string_view> wanted;
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
         if (word == "--share" && i + 1 < argc) {
             effort.share = std::strtod(argv[++i], nullptr);
+        } else if (word == "--from" && i + 1 < argc) {
+            from = std::strtod(argv[++i], nullptr);
         } else if (word == "--case" && i + 1 < argc) {
             wanted_case = argv[++i];
         } else {
             wanted.push_back(word);
         }
+    }
+    if (!(from >= 0.0 && from < effort.share)) {
+        fmt::print(stderr, "--from must be below the share\n");
+        return 2;
     }
     for (const std::string_view name : wanted) {
         if (std::ranges::find(families, name, &Family::name) != families.end()) continue;
@@ -104,7 +114,7 @@ int main(int argc, char** argv) {
         fmt::print("{} ({})\n  {:<44} {:>12} {:>9}\n", family->title, family->name, "case", "tried",
                    "failed");
         const auto start = std::chrono::steady_clock::now();
-        Table table(wanted_case);
+        Table table(wanted_case, from / effort.share);
         family->run(effort, table);
         failures += table.failures();
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;

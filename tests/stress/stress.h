@@ -27,11 +27,12 @@ struct Trial {
 /// Prints a row for each kind of case: tried, failed, and the first failure (of the lowest number).
 class Table {
 public:
-    /// Only cases whose name contains `wanted` are run.
-    explicit Table(std::string_view wanted) : wanted_(wanted) {}
+    /// Only cases whose name contains `wanted` are run, without the first part of their trials (a share of
+    /// them), which an earlier run has done.
+    Table(std::string_view wanted, double done) : wanted_(wanted), done_(done) {}
 
-    /// Runs `trial` `count` times on all threads, with dice seeded by the trial's number: the same cases
-    /// whatever the number of threads.
+    /// Runs `trial` with the numbers up to `count` on all threads, with dice seeded by the trial's number:
+    /// the same cases whatever the number of threads.
     void run(const std::string& what, uint64_t count, const std::function<Trial(Dice&)>& trial);
     /// The same for cases that stand in a list.
     void run_listed(const std::string& what, size_t count, const std::function<Trial(size_t)>& trial);
@@ -43,6 +44,7 @@ private:
     void print(const std::string& what, uint64_t tried, uint64_t failed, const std::string& first);
 
     std::string_view wanted_;
+    double done_;
     uint64_t failures_ = 0;
 };
 
