@@ -37,7 +37,6 @@ public:
     void crossings(const ShapeRay& ray, Crossings& out) const override;
     Vec3 normal(const Vec3& p, const Crossing& at) const override;
     std::optional<Vec2> uv(const Vec3& p, const Crossing& at) const override;
-    bool is_always_exact() const override { return true; }
     std::optional<TriangleMesh> tessellate(double) const override { return std::nullopt; }
     std::string describe() const override;
 

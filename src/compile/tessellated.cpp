@@ -66,12 +66,19 @@ TessellatedShape::TessellatedShape(ShapePtr truth, TriangleMesh mesh, Hits hits)
 
 Crossing TessellatedShape::nearest_crossing(const Vec3& p, const Crossing& facet) const {
     const Vec3 n = glm::normalize(mesh_.normal(p, facet));
-    const double way = glm::length(mesh_.bounds().size());
-    Crossings all;
-    truth_->crossings(ShapeRay{{p - way * n, n}, 0.0, 2.0 * way}, all);
+    const double size = glm::length(mesh_.bounds().size());
     Crossing nearest{std::numeric_limits<double>::infinity(), 0, Vec2{0.0}};
-    for (size_t i = 0; i < all.size(); ++i) {
-        if (std::abs(all[i].t - way) < std::abs(nearest.t - way)) nearest = all[i];
+    // From outside and near by first: of some shapes the language wants the first crossing only.
+    constexpr double growth = 8.0;
+    const double least = std::max(4.0 * error_, 1e-6 * size);
+    for (double way = least; !std::isfinite(nearest.t); way *= growth) {
+        way = std::min(way, size);
+        Crossings all;
+        truth_->crossings(ShapeRay{{p + way * n, -n}, 0.0, 2.0 * way}, all);
+        for (size_t i = 0; i < all.size(); ++i) {
+            if (std::abs(all[i].t - way) < std::abs(nearest.t - way)) nearest = all[i];
+        }
+        if (!(way < size)) break;
     }
     nearest.t = facet.t;
     return nearest;

@@ -192,9 +192,6 @@ public:
     /// True if the surface consists of triangles already, so that tessellating it changes nothing.
     virtual bool is_faceted() const { return false; }
 
-    /// True for a finite shape of whose meshes nothing is proven: tessellate() never makes one.
-    virtual bool is_always_exact() const { return false; }
-
     /// A mesh within `tolerance` (object units) of the surface; empty for a shape that has no finite surface,
     /// or none that is proven to be near enough: such a shape is always met exactly.
     virtual std::optional<TriangleMesh> tessellate(double tolerance) const = 0;

@@ -2,6 +2,7 @@
 #include "scene/function.h"
 #include "scene/shape.h"
 #include "shapes/function_cells.h"
+#include "shapes/solid_mesh.h"
 
 namespace rb {
 
@@ -36,12 +37,11 @@ double steepest_slope(const IsosurfaceData& data);
 /// Where a function equals its threshold within a container, whose own surface closes the solid unless
 /// `open`. Part 0 is the function's surface, 1 to 6 are the container's sides (-x, +x, -y, ...), 7 its
 /// sphere.
-class Isosurface final : public Shape {
+class Isosurface final : public Shape, private PointSolid {
 public:
     explicit Isosurface(IsosurfaceData data);
 
     std::string_view keyword() const override { return "isosurface"; }
-    bool is_always_exact() const override { return true; }
     NormalRule normal_rule() const override { return NormalRule::differences; }
     Bounds bounds() const override { return bounds_; }
     Bounds language_extent() const override { return data_.box; }
@@ -49,7 +49,8 @@ public:
     void crossings(const ShapeRay& ray, Crossings& out) const override;
     bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const override;
     Vec3 normal(const Vec3& p, const Crossing& at) const override;
-    std::optional<TriangleMesh> tessellate(double) const override { return std::nullopt; }
+    /// Not of an open one.
+    std::optional<TriangleMesh> tessellate(double tolerance) const override;
     std::string describe() const override;
 
 private:
@@ -61,6 +62,8 @@ private:
     /// there.
     bool is_jump(double value, double error) const;
     Vec3 gradient(const Vec3& p) const;
+    std::optional<Slopes> slopes(const Bounds& region) const override;
+    std::optional<Slopes> container_slopes(const Bounds& region) const;
     FunctionCells::Content content_of(size_t cell, const Vec3& direction) const;
     double side_distance(const Vec3& p, uint32_t& part) const;
     template <class Take>

@@ -2,7 +2,9 @@
 //   [slice <N>, D] }        (manual 3.5.1.8)
 #include "shapes/convex_ray.h"
 #include "shapes/julia_orbit.h"
+#include "shapes/mesh_refinement.h"
 #include "shapes/registry.h"
+#include "shapes/solid_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +29,7 @@ struct Slice {
 
 /// The solid of points that do not escape, within the ball outside of which all do. A ray's way is left out
 /// where reach() proves that nothing changes, and else gone through in small steps.
-class JuliaFractal final : public Shape {
+class JuliaFractal final : public Shape, private PointSolid {
 public:
     JuliaFractal(const JuliaFormula& formula, Slice slice, double precision)
         : formula_(formula), slice_(slice), resolution_(1.0 / (steps_per_precision * precision)) {
@@ -41,7 +43,6 @@ public:
     }
 
     std::string_view keyword() const override { return "julia_fractal"; }
-    bool is_always_exact() const override { return true; }
     NormalRule normal_rule() const override { return NormalRule::of_iterate; }
     Bounds bounds() const override { return bounds_; }
     Bounds language_extent() const override { return {Vec3{-formula_.radius()}, Vec3{formula_.radius()}}; }
@@ -66,8 +67,11 @@ public:
         return found;
     }
     Vec3 normal(const Vec3& p, const Crossing&) const override { return formula_.normal(slice_.at(p)); }
-    /// No mesh of a fractal is proven to be near it.
-    std::optional<TriangleMesh> tessellate(double) const override { return std::nullopt; }
+    std::optional<TriangleMesh> tessellate(double tolerance) const override {
+        // Every face has to be as small as the tolerance.
+        if (!(bounds_.half_area() < most_mesh_faces * tolerance * tolerance)) return std::nullopt;
+        return solid_mesh(*this, bounds_, tolerance);
+    }
     std::string describe() const override {
         const Quaternion& c = formula_.c;
         return fmt::format("<{},{},{},{}> {} max_iteration {}", c.x, c.y, c.z, c.w,
@@ -77,6 +81,9 @@ public:
 
 private:
     static constexpr double steps_per_precision = 4.0;
+
+    /// A fractal has none.
+    std::optional<Slopes> slopes(const Bounds&) const override { return std::nullopt; }
 
     /// Widens the bounds by the cells that may hold a part of the solid.
     void add_cells(const Vec3& middle, double half, int levels) {

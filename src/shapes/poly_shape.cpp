@@ -3,6 +3,7 @@
 #include "math/roots.h"
 #include "shapes/poly_along.h"
 #include "shapes/poly_bounds.h"
+#include "shapes/solid_mesh.h"
 
 #include <algorithm>
 
@@ -83,29 +84,57 @@ double PolyShape::value(const Vec3& p) const {
     return in_x;
 }
 
-Vec3 PolyShape::gradient(const Vec3& p) const {
+template <class T>
+std::array<T, 3> PolyShape::gradient(const T& x, const T& y, const T& z) const {
     const double* c = c_.data();
-    double in_x = 0.0;
-    Vec3 g{0.0};
+    T in_x = 0.0;
+    T by_x = 0.0;
+    T by_y = 0.0;
+    T by_z = 0.0;
     for (int i = order_; i >= 0; --i) {
-        double in_y = 0.0;
-        double y_by_y = 0.0;
-        double y_by_z = 0.0;
+        T in_y = 0.0;
+        T y_by_y = 0.0;
+        T y_by_z = 0.0;
         for (int j = order_ - i; j >= 0; --j) {
-            double in_z = 0.0;
-            double z_by_z = 0.0;
+            T in_z = 0.0;
+            T z_by_z = 0.0;
             for (int k = order_ - i - j; k >= 0; --k) {
-                z_by_z = z_by_z * p.z + in_z;
-                in_z = in_z * p.z + *c++;
+                z_by_z = z_by_z * z + in_z;
+                in_z = in_z * z + T(*c++);
             }
-            y_by_y = y_by_y * p.y + in_y;
-            y_by_z = y_by_z * p.y + z_by_z;
-            in_y = in_y * p.y + in_z;
+            y_by_y = y_by_y * y + in_y;
+            y_by_z = y_by_z * y + z_by_z;
+            in_y = in_y * y + in_z;
         }
-        g = {g.x * p.x + in_x, g.y * p.x + y_by_y, g.z * p.x + y_by_z};
-        in_x = in_x * p.x + in_y;
+        by_x = by_x * x + in_x;
+        by_y = by_y * x + y_by_y;
+        by_z = by_z * x + y_by_z;
+        in_x = in_x * x + in_y;
     }
-    return g;
+    return {by_x, by_y, by_z};
+}
+
+Vec3 PolyShape::gradient(const Vec3& p) const {
+    const auto [by_x, by_y, by_z] = gradient(p.x, p.y, p.z);
+    return {by_x, by_y, by_z};
+}
+
+class PolyShape::Solid final : public PointSolid {
+public:
+    explicit Solid(const PolyShape& shape) : shape_(shape) {}
+    bool inside(const Vec3& p) const override { return shape_.inside(p); }
+    std::optional<Slopes> slopes(const Bounds& region) const override {
+        const auto along = [&](int i) { return Interval(region.lo[i], region.hi[i]); };
+        return shape_.gradient(along(0), along(1), along(2));
+    }
+
+private:
+    const PolyShape& shape_;
+};
+
+std::optional<TriangleMesh> PolyShape::tessellate(double tolerance) const {
+    if (!bounds_.is_finite()) return std::nullopt;
+    return solid_mesh(Solid(*this), bounds_, tolerance);
 }
 
 /// The polynomial of t at o + t d, lowest power first.

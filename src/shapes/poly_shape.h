@@ -16,13 +16,12 @@ public:
     PolyShape(std::string_view keyword, int order, std::vector<double> coefficients);
 
     std::string_view keyword() const override { return keyword_; }
-    bool is_always_exact() const override { return true; }
     bool is_costly() const override { return true; }
     Bounds bounds() const override { return bounds_; }
     Bounds language_extent() const override { return Bounds::everything(); }
     bool inside(const Vec3& p) const override { return value(p) <= 0.0; }
     Vec3 normal(const Vec3& p, const Crossing& at) const override;
-    std::optional<TriangleMesh> tessellate(double) const override { return std::nullopt; }
+    std::optional<TriangleMesh> tessellate(double tolerance) const override;
     std::string describe() const override;
 
     template <class Sink>
@@ -33,9 +32,13 @@ public:
     }
 
 private:
+    class Solid;
     using Roots = std::array<double, 3 * most_degree>;
     size_t find(const ShapeRay& query, Roots& out) const;
     double value(const Vec3& p) const;
+    /// For numbers or intervals.
+    template <class T>
+    std::array<T, 3> gradient(const T& x, const T& y, const T& z) const;
     Vec3 gradient(const Vec3& p) const;
     bool starts_here(const ShapeRay& query) const;
     void along(const Vec3& o, const Vec3& d, std::span<double> out) const;

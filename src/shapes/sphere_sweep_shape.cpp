@@ -130,12 +130,14 @@ double SphereSweep::way_through(const Start& start, const RayFrame& frame) const
 }
 
 /// Whether a way that a ray along the surface is on at its start is no longer than rounding makes it: a ball
-/// of radius r that lacks e, or has it too much, gives one of 2 sqrt(2 r e).
-bool SphereSweep::is_rounding(const Way& way, const Start& start, const ShapeRay& ray) const {
+/// of radius r that lacks e gives one of 2 sqrt(2 r e). Who leaves the ball where he starts may be in another
+/// one by the error of his place; who enters it, by the last bits of its radius.
+bool SphereSweep::is_rounding(const Way& way, const Start& start, bool leaves, const ShapeRay& ray) const {
     if (way.in > 0.0) return false;
     const double r = glm::length(ray.ray.origin - Vec3{pieces_[start.piece].at(start.w)});
+    const double e = leaves ? ray.origin_error : std::numeric_limits<double>::epsilon() * r;
     const double length = way.out - way.in;
-    return length * length <= 8.0 * r * ray.origin_error;
+    return length * length <= 8.0 * r * e;
 }
 
 void SphereSweep::crossings(const ShapeRay& ray, Crossings& out) const {
@@ -167,7 +169,7 @@ void SphereSweep::crossings(const ShapeRay& ray, Crossings& out) const {
             way.out_piece = ways[i].out_piece;
             way.out_w = ways[i].out_w;
         }
-        if (start && is_rounding(way, *start, ray)) continue;
+        if (start && is_rounding(way, *start, leaves, ray)) continue;
         // Who has left has entered what he leaves next, however near.
         add(leaves ? std::max(way.in, first) : way.in, way.in_piece, way.in_w);
         add(way.out, way.out_piece, way.out_w);
@@ -189,11 +191,11 @@ bool SphereSweep::any(const ShapeRay& ray, const CrossingFilter* filter, Crossin
         return found.t > ray.t_min && found.t <= ray.t_max;
     };
     const double through = start ? way_through(*start, frame) : 0.0;
-    const bool enters = through > 0.0 && !is_rounding({0.0, through, 0, 0, 0.0, 0.0}, *start, ray);
+    const bool enters = through > 0.0 && !is_rounding({0.0, through, 0, 0, 0.0, 0.0}, *start, false, ray);
     if (enters && take(through, start->piece, start->w)) return true;
     const SweepQuestion question{frame, start.has_value(), start ? start->level : 0.0};
     const auto is_hit_by = [&](const Way& way) {
-        if (start && is_rounding(way, *start, ray)) return false;
+        if (start && is_rounding(way, *start, !(through > 0.0), ray)) return false;
         // Who has left the surface enters a ball ahead of it, however near.
         return (start &&
                 take(std::max(way.in, std::numeric_limits<double>::min()), way.in_piece, way.in_w)) ||

@@ -30,7 +30,7 @@ public:
 private:
     struct Start;
     std::optional<Start> start_of(const ShapeRay& ray) const;
-    bool is_rounding(const Way& way, const Start& start, const ShapeRay& ray) const;
+    bool is_rounding(const Way& way, const Start& start, bool leaves, const ShapeRay& ray) const;
     double way_through(const Start& start, const RayFrame& frame) const;
 
     /// Calls take(range) for the parts of pieces, as long as possible, that lie in bounds which `meets`
