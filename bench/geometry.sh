@@ -51,7 +51,7 @@ awk '{for (i = 4; i <= NF; i += 2) if ($i > 0) {print; next}}' "$work/rows" > "$
     echo "process, and the root mean square difference (of 255) from the picture of the exact surfaces. A mesh lies within the tolerance, in"
     echo "pixels, of the surface; its normals are those of the true surface. Refined: a mesh within 0.3 pixels, whose hits are moved"
     echo "onto the true surface (\`--geometry refine\`); what is left differs at silhouettes."
-    echo "Not listed: shapes that consist of triangles or planes, and those of whose meshes nothing is proven"
+    echo "Not listed: shapes that consist of triangles or planes, and those whose meshes would take too many faces"
     echo "(docs/architecture.md, \"Meshes\"): they are always met exactly."
     echo
     echo "![time against error](geometry.svg)"
