@@ -34,11 +34,13 @@ using IntOct = int32_t __attribute__((vector_size(32)));
 struct Quads {
     using Numbers = Quad;
     using Integers = IntQuad;
+    using Bits = int64_t __attribute__((vector_size(32)));
     static constexpr size_t count = 4;
 };
 struct Octs {
     using Numbers = Oct;
     using Integers = IntOct;
+    using Bits = int64_t __attribute__((vector_size(64)));
     static constexpr size_t count = 8;
 };
 
