@@ -1,6 +1,7 @@
 // agate (manual 3.4.7.1): bands along z, disturbed by turbulence of the point.
 #include "patterns/formula.h"
 #include "patterns/noise.h"
+#include "patterns/sine.h"
 
 #include <algorithm>
 
@@ -17,8 +18,11 @@ public:
         const TurbulenceWarp shape = classic ? *classic : TurbulenceWarp{};
         const auto strength = static_cast<double>(context.modifiers.agate_turbulence);
         turbulence(points, shape, context.noise_generator, values);
+        for (size_t i = 0; i < points.size(); ++i)
+            values[i] = 2.0 * pi * (1.3 * strength * values[i] + 1.1 * points[i].z);
+        sines(values);
         for (size_t i = 0; i < points.size(); ++i) {
-            const double band = 0.5 * (cycloidal(1.3 * strength * values[i] + 1.1 * points[i].z) + 1.0);
+            const double band = 0.5 * (values[i] + 1.0);
             values[i] = band < 0.0 ? 0.0 : std::pow(std::min(1.0, band), 0.77);
         }
     }

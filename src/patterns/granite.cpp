@@ -6,21 +6,24 @@ namespace rb {
 
 namespace {
 
-/// The distance of four noise values from one half.
+/// The distance of noise values from one half.
 struct Folded {
     bool centered;
-    RB_INLINE void operator()(Quad& value, int) const {
+    template <class Numbers>
+    RB_INLINE void operator()(Numbers& value, int) const {
         set_magnitude(centered ? 1.0 - 2.0 * value : 0.5 - value, value);
-        if (centered) value = 0.5 < value ? Quad{} + 0.5 : value;
+        if (centered) value = 0.5 < value ? Numbers{} + 0.5 : value;
     }
 };
 
-RB_FOR_EACH_TARGET void granite_values(std::span<const Vec3> points, int generator,
-                                       std::span<double> values) {
+template <class Lanes>
+RB_INLINE void granite_values_in(std::span<const Vec3> points, int generator, std::span<double> values) {
     with_noise(generator, [&](const auto& noise) RB_INLINED {
-        sum_octaves(noise, points, Octaves::doubling(6, 4.0), Folded{noise.centered}, values);
+        sum_octaves<Lanes>(noise, points, Octaves::doubling(6, 4.0), Folded{noise.centered}, values);
     });
 }
+RB_FOR_EACH_WIDTH(granite_values, (std::span<const Vec3> points, int generator, std::span<double> values),
+                  (points, generator, values))
 
 class Granite final : public Pattern {
 public:

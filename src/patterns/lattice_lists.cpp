@@ -2,6 +2,7 @@
 // 3.4.7.1.
 #include "patterns/formula.h"
 #include "patterns/noise.h"
+#include "patterns/quad.h"
 
 #include <array>
 
@@ -11,30 +12,44 @@ namespace {
 
 constexpr double root3 = 1.7320508075688772;
 
-class Hexagon final : public PointPattern<Hexagon> {
-public:
-    std::string_view keyword() const override { return "hexagon"; }
-    double value(const Vec3& p) const {
+/// The number of a hexagon among 0, 1, 2, from what numbers its kind when counted on.
+RB_INLINE double hexagon_kind(double index) {
+    // Whole numbers: the quotient is never rounded up to the next one.
+    if (std::abs(index) < 1e15) return index - 3.0 * std::floor(index / 3.0);
+    const double kind = std::fmod(index, 3.0);
+    return kind < 0.0 ? kind + 3.0 : kind;
+}
+
+RB_FOR_EACH_TARGET void hexagon_values(std::span<const Vec3> points, std::span<double> values) {
+    for (size_t k = 0; k < points.size(); ++k) {
+        const Vec3& p = points[k];
         // Centres at (1.5 i, root3 (j + i/2)); the nearest is among those of the two nearest columns.
         const double column = std::floor(p.x / 1.5);
         double best = 1e300;
         double best_z = 0;
         double index = 0;
         for (const double i : {column, column + 1.0}) {
-            const double offset = p.z / root3 - 0.5 * i;
-            for (const double j : {std::floor(offset), std::floor(offset) + 1.0}) {
-                const double dx = p.x - 1.5 * i;
+            const double dx = p.x - 1.5 * i;
+            const double below = std::floor(p.z / root3 - 0.5 * i);
+            for (const double j : {below, below + 1.0}) {
                 const double z = root3 * (j + 0.5 * i);
                 const double d = dx * dx + (p.z - z) * (p.z - z);
-                if (d < best - 1e-9 || (d < best + 1e-9 && z > best_z)) {
-                    best = d;
-                    best_z = z;
-                    index = 2.0 * i + j;
-                }
+                const bool nearer = (d < best - 1e-9) | ((d < best + 1e-9) & (z > best_z));
+                best = nearer ? d : best;
+                best_z = nearer ? z : best_z;
+                index = nearer ? 2.0 * i + j : index;
             }
         }
-        const double kind = std::fmod(index, 3.0);
-        return kind < 0.0 ? kind + 3.0 : kind;
+        values[k] = hexagon_kind(index);
+    }
+}
+
+class Hexagon final : public Pattern {
+public:
+    std::string_view keyword() const override { return "hexagon"; }
+    void evaluate(const PatternContext&, std::span<const Vec3> points,
+                  std::span<double> values) const override {
+        hexagon_values(points, values);
     }
 };
 

@@ -26,30 +26,22 @@ Octaves single_octave(double scale) {
     return octaves;
 }
 
-RB_FOR_EACH_TARGET void vector_octaves(std::span<const Vec3> points, const Octaves& octaves,
-                                       std::span<Vec3> values) {
-    sum_vector_octaves(
-        points, octaves, [](Quad&) RB_INLINED {},
+template <class Lanes>
+RB_INLINE void vector_octaves_in(std::span<const Vec3> points, const Octaves& octaves,
+                                 std::span<Vec3> values) {
+    sum_vector_octaves<Lanes>(
+        points, octaves, [](auto&) RB_INLINED {},
         [values](size_t i, const Vec3& sum) RB_INLINED { values[i] = sum; });
 }
+RB_FOR_EACH_WIDTH(vector_octaves,
+                  (std::span<const Vec3> points, const Octaves& octaves, std::span<Vec3> values),
+                  (points, octaves, values))
 
 RB_FOR_EACH_TARGET Vec3 vector_octaves(const Vec3& p, const Octaves& octaves) {
     return sum_vector_octaves(p, octaves);
 }
 
 }  // namespace
-
-void Lattice::floor_each(const Quad& p, IntQuad& whole) {
-    for (int i = 0; i < 4; ++i) whole[i] = lattice_floor(p[i]);
-}
-
-void GradientLattice::floor_each(const Quad& t, Quad& whole, IntQuad& cell) {
-    for (int i = 0; i < 4; ++i) {
-        uint32_t number = 0;
-        whole[i] = floor_of(t[i], number);
-        cell[i] = static_cast<int32_t>(number);
-    }
-}
 
 Octaves Octaves::of(const TurbulenceWarp& shape) {
     Octaves octaves;
@@ -71,13 +63,17 @@ Octaves Octaves::doubling(int count, double scale) {
     }
     return octaves;
 }
-RB_FOR_EACH_TARGET void noise(std::span<const Vec3> points, double scale, int generator,
-                              std::span<double> values) {
+
+template <class Lanes>
+RB_INLINE void noise_in(std::span<const Vec3> points, double scale, int generator, std::span<double> values) {
     with_noise(generator, [&](const auto& kind) RB_INLINED {
-        sum_octaves(
-            kind, points, single_octave(scale), [](Quad&, int) RB_INLINED {}, values);
+        sum_octaves<Lanes>(
+            kind, points, single_octave(scale), [](auto&, int) RB_INLINED {}, values);
     });
 }
+RB_FOR_EACH_WIDTH(noise,
+                  (std::span<const Vec3> points, double scale, int generator, std::span<double> values),
+                  (points, scale, generator, values))
 
 void vector_noise(std::span<const Vec3> points, double scale, std::span<Vec3> values) {
     vector_octaves(points, single_octave(scale), values);
@@ -95,12 +91,17 @@ Vec3 vector_noise(const Vec3& p) { return vector_octaves(p, Octaves{}); }
 
 int octave_count(const TurbulenceWarp& shape) { return std::clamp(shape.octaves, 1, 10); }
 
-RB_FOR_EACH_TARGET void turbulence(std::span<const Vec3> points, const TurbulenceWarp& shape, int generator,
-                                   std::span<double> values) {
+template <class Lanes>
+RB_INLINE void turbulence_in(std::span<const Vec3> points, const TurbulenceWarp& shape, int generator,
+                             std::span<double> values) {
     with_noise(generator, [&](const auto& kind) RB_INLINED {
-        sum_octaves(kind, points, Octaves::of(shape), Centered{kind.centered}, values);
+        sum_octaves<Lanes>(kind, points, Octaves::of(shape), Centered{kind.centered}, values);
     });
 }
+RB_FOR_EACH_WIDTH(turbulence,
+                  (std::span<const Vec3> points, const TurbulenceWarp& shape, int generator,
+                   std::span<double> values),
+                  (points, shape, generator, values))
 
 void vector_turbulence(std::span<const Vec3> points, const TurbulenceWarp& shape, std::span<Vec3> values) {
     vector_octaves(points, Octaves::of(shape), values);

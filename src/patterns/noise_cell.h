@@ -7,10 +7,10 @@
 
 namespace rb {
 
-// Noise at four points. Each corner of the cell around a point has a row (c, x, y, z): a value and a slope.
-// With (u, v, w) the way from the corner to the point and s its weight, the noise is the sum over the corners
-// of s (c + x u + y v + z w). The weight is a product over the axes, so the corners are mixed axis by axis
-// (z, x, y), a whole row at a time; each axis brings its part of the way into the lane of its slope.
+// Noise at several points. Each corner of the cell around a point has a row (c, x, y, z): a value and a
+// slope. With (u, v, w) the way from the corner to the point and s its weight, the noise is the sum over the
+// corners of s (c + x u + y v + z w). The weight is a product over the axes, so the corners are mixed axis by
+// axis (z, x, y), a whole row at a time; each axis brings its part of the way into the lane of its slope.
 
 /// The same pointer, but what it points to must be read from memory there: a number is spread over lanes for
 /// nothing on its way from memory, and dearly from a lane of a register, where the compiler likes to keep it.
@@ -22,24 +22,29 @@ RB_INLINE const T* from_memory(const T* p) {
 
 /// Weights of the near and the far corners along one axis, for the value and the other slopes, and for the
 /// slope along it: times the way from those corners.
+template <class Lanes>
 struct AxisWeights {
-    alignas(32) double plain[2][4];  ///< [near, far][point]
-    alignas(32) double sloped[2][4];
+    alignas(64) double plain[2][Lanes::count];  ///< [near, far][point]
+    alignas(64) double sloped[2][Lanes::count];
 };
 
-/// Where four points lie: the cell in each axis, modulo the size of the tables, and the weights of its
+/// Where several points lie: the cell in each axis, modulo the size of the tables, and the weights of its
 /// corners.
-struct QuadPlace {
-    IntQuad x;
-    IntQuad y;
-    IntQuad z;
-    AxisWeights along[3];
+template <class Lanes>
+struct LanePlace {
+    typename Lanes::Integers x;
+    typename Lanes::Integers y;
+    typename Lanes::Integers z;
+    AxisWeights<Lanes> along[3];
 };
+using QuadPlace = LanePlace<Quads>;
+using OctPlace = LanePlace<Octs>;
 
 /// `f`: the way from the near corner.
-RB_INLINE void set_weights(const Quad& f, AxisWeights& out) {
-    const Quad far = f * f * (3.0 - 2.0 * f);
-    const Quad near = 1.0 - far;
+template <class Lanes, class Numbers>
+RB_INLINE void set_weights(const Numbers& f, AxisWeights<Lanes>& out) {
+    const Numbers far = f * f * (3.0 - 2.0 * f);
+    const Numbers near = 1.0 - far;
     store(near, out.plain[0]);
     store(far, out.plain[1]);
     store(f * near, out.sloped[0]);
@@ -127,8 +132,8 @@ RB_INLINE bool in_one_cell(const QuadPlace& place) {
     return (bits[0] | bits[1]) == 0;
 }
 
-template <class Rows>
-RB_INLINE void find_rows(const QuadPlace& place, int point, const Rows& rows_of, CornerRows& rows) {
+template <class Lanes, class Rows>
+RB_INLINE void find_rows(const LanePlace<Lanes>& place, int point, const Rows& rows_of, CornerRows& rows) {
     rows_of(static_cast<uint32_t>(place.x[point]), static_cast<uint32_t>(place.y[point]),
             static_cast<uint32_t>(place.z[point]), rows);
 }
@@ -161,6 +166,85 @@ RB_INLINE void mix(const QuadPlace& place, const Rows& rows_of, int stride, Quad
         transpose(parts[i]);
         const Quad first = HasValue ? parts[i][0] + parts[i][1] : parts[i][1];
         out[i] = first + (parts[i][2] + parts[i][3]);
+    }
+}
+
+// Of eight points two are mixed at a time, whose rows lie side by side in one register.
+
+/// Weights along an axis, whose slope is in lane `Lane`, of the points 2 * Pair and 2 * Pair + 1.
+template <int Pair, int Lane>
+RB_INLINE void weights_of_pair(const AxisWeights<Octs>& from, Oct (&out)[2]) {
+    constexpr int a = 2 * Pair;
+    constexpr int b = a + 1;
+    for (int side = 0; side < 2; ++side) {
+        Oct plain;
+        Oct sloped;
+        load(from.plain[side], plain);
+        load(from.sloped[side], sloped);
+        out[side] = __builtin_shufflevector(plain, sloped, a, Lane == 1 ? a + 8 : a, Lane == 2 ? a + 8 : a,
+                                            Lane == 3 ? a + 8 : a, b, Lane == 1 ? b + 8 : b,
+                                            Lane == 2 ? b + 8 : b, Lane == 3 ? b + 8 : b);
+    }
+}
+
+/// The mixed rows of two points.
+template <int Pair, int Count, class Rows>
+RB_INLINE void mix_pair(const OctPlace& place, const Rows& rows_of, int stride, Oct (&parts)[Count][4]) {
+    CornerRows rows[2];
+    find_rows(*from_memory(&place), 2 * Pair, rows_of, rows[0]);
+    find_rows(*from_memory(&place), 2 * Pair + 1, rows_of, rows[1]);
+    Oct x[2];
+    Oct y[2];
+    Oct z[2];
+    weights_of_pair<Pair, 1>(place.along[0], x);
+    weights_of_pair<Pair, 2>(place.along[1], y);
+    weights_of_pair<Pair, 3>(place.along[2], z);
+#pragma GCC unroll 3
+    for (int i = 0; i < Count; ++i) {
+        Oct row[8];
+#pragma GCC unroll 8
+        for (int corner = 0; corner < 8; ++corner) {
+            Quad first;
+            Quad second;
+            load(rows[0][corner] + stride * i, first);
+            load(rows[1][corner] + stride * i, second);
+            row[corner] = __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
+        }
+        Oct column[4];
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; ++k) column[k] = z[0] * row[2 * k] + z[1] * row[2 * k + 1];
+        const Oct below = x[0] * column[0] + x[1] * column[1];
+        const Oct above = x[0] * column[2] + x[1] * column[3];
+        parts[i][Pair] = y[0] * below + y[1] * above;
+    }
+}
+
+/// The sums of lanes 2 i and 2 i + 1; of the first two lanes of each row only the second counts if there is
+/// no value.
+template <bool HasValue>
+RB_INLINE void sum_neighbours(const Oct& a, const Oct& b, Oct& out) {
+    const Oct even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Oct odd = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    out = even + odd;
+    if (!HasValue) out = __builtin_shufflevector(out, odd, 8, 9, 2, 3, 12, 13, 6, 7);
+}
+
+/// The same at eight points.
+template <int Count, bool HasValue, class Rows>
+RB_INLINE void mix(const OctPlace& place, const Rows& rows_of, int stride, Oct (&out)[Count]) {
+    Oct parts[Count][4];
+    mix_pair<0>(place, rows_of, stride, parts);
+    mix_pair<1>(place, rows_of, stride, parts);
+    mix_pair<2>(place, rows_of, stride, parts);
+    mix_pair<3>(place, rows_of, stride, parts);
+#pragma GCC unroll 3
+    for (int i = 0; i < Count; ++i) {
+        Oct a;
+        Oct b;
+        sum_neighbours<HasValue>(parts[i][0], parts[i][1], a);
+        sum_neighbours<HasValue>(parts[i][2], parts[i][3], b);
+        out[i] = __builtin_shufflevector(a, b, 0, 4, 1, 5, 8, 12, 9, 13) +
+                 __builtin_shufflevector(a, b, 2, 6, 3, 7, 10, 14, 11, 15);
     }
 }
 

@@ -7,22 +7,25 @@
 
 namespace rb {
 
-// The noises of all generators at four points, and sums of octaves over batches. Everything here is made to
-// be built into functions with RB_FOR_EACH_TARGET.
+// The noises of all generators at several points, and sums of octaves over batches. Everything here is made
+// to be built into functions of RB_FOR_EACH_WIDTH.
 
-/// Coordinates up to here are placed four at a time; others, and what is no number, one at a time.
+/// Coordinates up to here are placed together; others, and what is no number, one at a time.
 inline constexpr double lane_limit = 2.0e9;
 
 /// True if all points times `scale` are within +-lane_limit.
-RB_INLINE bool within_lanes(const QuadPoint& p, double scale) {
-    Quad x;
-    Quad y;
-    Quad z;
+template <class Lanes>
+RB_INLINE bool within_lanes(const LanePoint<Lanes>& p, double scale) {
+    typename Lanes::Numbers x;
+    typename Lanes::Numbers y;
+    typename Lanes::Numbers z;
     set_magnitude(p.x, x);
     set_magnitude(p.y, y);
     set_magnitude(p.z, z);
-    const Quad sum = x + y + z;
-    return (sum[0] + sum[1] + sum[2] + sum[3]) * scale < lane_limit;
+    const typename Lanes::Numbers sum = x + y + z;
+    double total = 0;
+    for (size_t i = 0; i < Lanes::count; ++i) total += sum[i];
+    return total * scale < lane_limit;
 }
 
 /// Generators 1 and 2 and vector noise (manual 3.4.1.10): a lattice whose cells lie between whole numbers.
@@ -32,17 +35,22 @@ struct Lattice {
     static uint32_t number(double whole) {
         return (static_cast<uint32_t>(static_cast<int32_t>(whole)) + 10000u) & 4095u;
     }
-    static RB_INLINE void place_axis(const Quad& p, bool in_lanes, IntQuad& cell, AxisWeights& weights) {
-        IntQuad whole;
+    template <class Lanes>
+    static RB_INLINE void place_axis(const typename Lanes::Numbers& p, bool in_lanes,
+                                     typename Lanes::Integers& cell, AxisWeights<Lanes>& weights) {
+        using Numbers = typename Lanes::Numbers;
+        typename Lanes::Integers whole;
         if (in_lanes) {
-            whole = __builtin_convertvector(p >= 0.0 ? p : p - (1.0 - tiny), IntQuad);
+            const Numbers below = p - (1.0 - tiny);
+            whole = __builtin_convertvector(p >= 0.0 ? p : below, typename Lanes::Integers);
         } else {
-            floor_each(p, whole);
+            whole = typename Lanes::Integers{};
+            for (size_t i = 0; i < Lanes::count; ++i) whole[i] = lattice_floor(p[i]);
         }
-        set_weights(p - __builtin_convertvector(whole, Quad), weights);
+        const Numbers f = p - __builtin_convertvector(whole, Numbers);
+        set_weights(f, weights);
         cell = ((whole & 4095) + 10000 % 4096) & 4095;
     }
-    static void floor_each(const Quad& p, IntQuad& whole);
     template <int Lane>
     static RB_INLINE void place_axis(double p, uint32_t& cell, Quad (&weights)[2]) {
         const int32_t whole = lattice_floor(p);
@@ -57,10 +65,11 @@ struct Lattice {
         const uint32_t behind = (z + 1) & 4095u;
         const uint32_t column[4] = {hash_table[first ^ y], hash_table[second ^ y], hash_table[first ^ above],
                                     hash_table[second ^ above]};
+        const double* values = value_rows.front().data();
 #pragma GCC unroll 4
         for (int k = 0; k < 4; ++k) {
-            rows[2 * k] = value_rows[hash_bytes[column[k] ^ z]].data();
-            rows[2 * k + 1] = value_rows[hash_bytes[column[k] ^ behind]].data();
+            rows[2 * k] = values + row_starts[column[k] ^ z];
+            rows[2 * k + 1] = values + row_starts[column[k] ^ behind];
         }
     }
 };
@@ -70,7 +79,6 @@ struct GradientLattice {
     static constexpr double shift = 10000000.023157213;
     const GradientTables& tables = gradient_tables();
 
-    static void floor_each(const Quad& t, Quad& whole, IntQuad& cell);
     static RB_INLINE double floor_of(double t, uint32_t& cell) {
         const double whole = std::floor(t);
         const int64_t number = std::abs(whole) < 9e18 ? static_cast<int64_t>(whole) : 0;
@@ -88,19 +96,31 @@ struct GradientLattice {
         set_weights<Lane>(t - floor_of(t, cell), weights);
     }
 
-    static RB_INLINE void place_axis(const Quad& p, bool in_lanes, IntQuad& cell, AxisWeights& weights) {
-        const Quad t = p + shift;
-        Quad whole;
+    template <class Lanes>
+    static RB_INLINE void place_axis(const typename Lanes::Numbers& p, bool in_lanes,
+                                     typename Lanes::Integers& cell, AxisWeights<Lanes>& weights) {
+        using Numbers = typename Lanes::Numbers;
+        using Integers = typename Lanes::Integers;
+        const Numbers t = p + shift;
+        Numbers whole;
         if (in_lanes) {
-            const IntQuad near = __builtin_convertvector(t, IntQuad);
-            const IntQuad below = near - 1;
-            const Quad truncated = __builtin_convertvector(near, Quad);
-            whole = truncated > t ? __builtin_convertvector(below, Quad) : truncated;
-            cell = __builtin_convertvector(whole, IntQuad) & static_cast<int32_t>(mask);
+            const Integers near = __builtin_convertvector(t, Integers);
+            const Integers below = near - 1;
+            const Numbers truncated = __builtin_convertvector(near, Numbers);
+            const Numbers lower = __builtin_convertvector(below, Numbers);
+            whole = truncated > t ? lower : truncated;
+            cell = __builtin_convertvector(whole, Integers) & static_cast<int32_t>(mask);
         } else {
-            floor_each(t, whole, cell);
+            whole = Numbers{};
+            cell = Integers{};
+            for (size_t i = 0; i < Lanes::count; ++i) {
+                uint32_t number = 0;
+                whole[i] = floor_of(t[i], number);
+                cell[i] = static_cast<int32_t>(number);
+            }
         }
-        set_weights(t - whole, weights);
+        const Numbers f = t - whole;
+        set_weights(f, weights);
     }
     RB_INLINE void operator()(uint32_t x, uint32_t y, uint32_t z, CornerRows& rows) const {
         const uint32_t first = tables.order[x];
@@ -119,12 +139,16 @@ private:
     static constexpr uint32_t mask = GradientTables::size - 1;
 };
 
-/// Four points times `scale` in their cells.
-template <class Cells>
-RB_INLINE void place(const Cells&, const QuadPoint& p, double scale, bool in_lanes, QuadPlace& out) {
-    Cells::place_axis(scale * p.x, in_lanes, out.x, out.along[0]);
-    Cells::place_axis(scale * p.y, in_lanes, out.y, out.along[1]);
-    Cells::place_axis(scale * p.z, in_lanes, out.z, out.along[2]);
+/// Several points times `scale` in their cells.
+template <class Cells, class Lanes>
+RB_INLINE void place(const Cells&, const LanePoint<Lanes>& p, double scale, bool in_lanes,
+                     LanePlace<Lanes>& out) {
+    const typename Lanes::Numbers x = scale * p.x;
+    const typename Lanes::Numbers y = scale * p.y;
+    const typename Lanes::Numbers z = scale * p.z;
+    Cells::template place_axis<Lanes>(x, in_lanes, out.x, out.along[0]);
+    Cells::template place_axis<Lanes>(y, in_lanes, out.y, out.along[1]);
+    Cells::template place_axis<Lanes>(z, in_lanes, out.z, out.along[2]);
 }
 
 /// One point times `scale` in its cell.
@@ -136,7 +160,7 @@ RB_INLINE void place(const Cells&, const Vec3& p, double scale, PointPlace& out)
 }
 
 // One kind of noise for each generator, so that loops do not ask which one. `into_range` takes what was mixed
-// (a number or a Quad) to [0, 1], by a slope of `range_slope` where it does not clamp.
+// (one number or several) to [0, 1], by a slope of `range_slope` where it does not clamp.
 
 struct OriginalNoise {
     static constexpr bool centered = false;
@@ -190,21 +214,25 @@ struct Octaves {
     }
 };
 
-/// Up to 16 points, in fours; the last of them repeated where there are too few.
+/// Up to 16 points, lane by lane; the last of them repeated where there are too few.
+template <class Lanes>
 struct PointBlock {
-    static constexpr size_t most = 4;
-    size_t fours;
-    QuadPoint points[most];
+    static constexpr size_t most = 16 / Lanes::count;
+    size_t count;
+    LanePoint<Lanes> points[most];
     bool in_lanes[most];
 
     /// `scale_bound`: the points are multiplied with nothing larger.
-    RB_INLINE PointBlock(std::span<const Vec3> from, double scale_bound) : fours((from.size() + 3) / 4) {
-        for (size_t k = 0; k < fours; ++k) {
-            if (4 * k + 4 <= from.size()) {
-                load(&from[4 * k], points[k]);
+    RB_INLINE PointBlock(std::span<const Vec3> from, double scale_bound)
+        : count((from.size() + Lanes::count - 1) / Lanes::count) {
+        for (size_t k = 0; k < count; ++k) {
+            const size_t first = Lanes::count * k;
+            if (first + Lanes::count <= from.size()) {
+                load(&from[first], points[k]);
             } else {
-                Vec3 last[4];
-                for (size_t i = 0; i < 4; ++i) last[i] = from[std::min(4 * k + i, from.size() - 1)];
+                Vec3 last[Lanes::count];
+                for (size_t i = 0; i < Lanes::count; ++i)
+                    last[i] = from[std::min(first + i, from.size() - 1)];
                 load(last, points[k]);
             }
             in_lanes[k] = within_lanes(points[k], scale_bound);
@@ -215,52 +243,59 @@ struct PointBlock {
 // The places of a whole block are found before the first noise is mixed: what comes after the other waits for
 // memory less.
 
-/// values[i] = the sum over the octaves of weight * fold(noise(scale * point)). `fold` changes four noise
-/// values in place and is told the number of the octave.
-template <class Noise, class Fold>
+/// values[i] = the sum over the octaves of weight * fold(noise(scale * point)). `fold` changes the noise
+/// values of several points in place and is told the number of the octave.
+template <class Lanes, class Noise, class Fold>
 RB_INLINE void sum_octaves(const Noise& noise, std::span<const Vec3> points, const Octaves& octaves,
                            const Fold& fold, std::span<double> values) {
+    using Points = PointBlock<Lanes>;
     const double bound = octaves.scale_bound();
     for (size_t first = 0; first < points.size(); first += 16) {
-        const PointBlock block(points.subspan(first, std::min(points.size() - first, size_t{16})), bound);
-        QuadPlace at[PointBlock::most];
-        Quad sum[PointBlock::most];
+        const Points block(points.subspan(first, std::min(points.size() - first, size_t{16})), bound);
+        LanePlace<Lanes> at[Points::most];
+        typename Lanes::Numbers sum[Points::most];
         for (int i = 0; i < octaves.count; ++i) {
-            for (size_t k = 0; k < block.fours; ++k) {
+            for (size_t k = 0; k < block.count; ++k) {
                 place(noise.cells, block.points[k], octaves.scale[i], block.in_lanes[k], at[k]);
             }
-            for (size_t k = 0; k < block.fours; ++k) {
-                Quad value[1];
+            for (size_t k = 0; k < block.count; ++k) {
+                typename Lanes::Numbers value[1];
                 mix<1, Noise::has_value>(at[k], noise.cells, 0, value);
                 noise.into_range(value[0]);
                 fold(value[0], i);
                 value[0] *= octaves.weight[i];
-                sum[k] = i == 0 ? value[0] : sum[k] + value[0];
+                if (i == 0) {
+                    sum[k] = value[0];
+                } else {
+                    sum[k] += value[0];
+                }
             }
         }
         for (size_t i = first; i < std::min(first + 16, points.size()); ++i)
-            values[i] = sum[(i - first) / 4][i % 4];
+            values[i] = sum[(i - first) / Lanes::count][i % Lanes::count];
     }
 }
 
 /// The same sum of vector noise, handed to `take` point by point: its index, then the sum.
-template <class Fold, class Take>
+template <class Lanes, class Fold, class Take>
 RB_INLINE void sum_vector_octaves(std::span<const Vec3> points, const Octaves& octaves, const Fold& fold,
                                   const Take& take) {
+    using Points = PointBlock<Lanes>;
+    using Numbers = typename Lanes::Numbers;
     const double bound = octaves.scale_bound();
     const Lattice cells;
     for (size_t first = 0; first < points.size(); first += 16) {
-        const PointBlock block(points.subspan(first, std::min(points.size() - first, size_t{16})), bound);
-        QuadPlace at[PointBlock::most];
-        QuadPoint sum[PointBlock::most];
+        const Points block(points.subspan(first, std::min(points.size() - first, size_t{16})), bound);
+        LanePlace<Lanes> at[Points::most];
+        LanePoint<Lanes> sum[Points::most];
         for (int i = 0; i < octaves.count; ++i) {
-            for (size_t k = 0; k < block.fours; ++k) {
+            for (size_t k = 0; k < block.count; ++k) {
                 place(cells, block.points[k], octaves.scale[i], block.in_lanes[k], at[k]);
             }
-            for (size_t k = 0; k < block.fours; ++k) {
-                Quad value[3];
+            for (size_t k = 0; k < block.count; ++k) {
+                Numbers value[3];
                 mix<3, true>(at[k], cells, 16, value);
-                for (Quad& v : value) {
+                for (Numbers& v : value) {
                     fold(v);
                     v *= octaves.weight[i];
                 }
@@ -272,8 +307,9 @@ RB_INLINE void sum_vector_octaves(std::span<const Vec3> points, const Octaves& o
             }
         }
         for (size_t i = first; i < std::min(first + 16, points.size()); ++i) {
-            const QuadPoint& four = sum[(i - first) / 4];
-            take(i, Vec3{four.x[i % 4], four.y[i % 4], four.z[i % 4]});
+            const LanePoint<Lanes>& lanes = sum[(i - first) / Lanes::count];
+            constexpr size_t n = Lanes::count;
+            take(i, Vec3{lanes.x[i % n], lanes.y[i % n], lanes.z[i % n]});
         }
     }
 }

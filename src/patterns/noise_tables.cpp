@@ -9,10 +9,10 @@ namespace rb {
 
 namespace {
 
-constexpr std::array<uint8_t, 4096> low_bytes(const ShuffledHash& table) {
-    std::array<uint8_t, 4096> bytes{};
-    for (size_t i = 0; i < 4096; ++i) bytes[i] = static_cast<uint8_t>(table[i] & 255u);
-    return bytes;
+constexpr std::array<uint16_t, 4096> starts_of(const ShuffledHash& table) {
+    std::array<uint16_t, 4096> starts{};
+    for (size_t i = 0; i < 4096; ++i) starts[i] = static_cast<uint16_t>(4u * (table[i] & 255u));
+    return starts;
 }
 
 /// Values in [-1, 1] of the lattice noise.
@@ -94,7 +94,7 @@ GradientTables make_gradients() {
 
 }  // namespace
 
-constinit const std::array<uint8_t, 4096> hash_bytes = low_bytes(shuffled_hash);
+constinit const std::array<uint16_t, 4096> row_starts = starts_of(shuffled_hash);
 
 alignas(32) constinit const std::array<std::array<double, 4>, 264> value_rows = rows_of(value_table);
 

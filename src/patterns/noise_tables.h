@@ -10,9 +10,6 @@ namespace rb {
 /// The shuffled numbers 0..4095 that choose values at lattice points. All tables here are part of the
 /// language's pictures: every scene depends on them.
 inline constexpr const ShuffledHash& hash_table = shuffled_hash;
-/// The low eight bits of `hash_table`.
-extern const std::array<uint8_t, 4096> hash_bytes;
-
 /// Index of a lattice cell, chained through the hash table; arguments are taken modulo 4096.
 inline uint32_t hash3(uint32_t a, uint32_t b, uint32_t c) {
     return hash_table[hash_table[hash_table[a & 4095u] ^ (b & 4095u)] ^ (c & 4095u)];
@@ -21,6 +18,9 @@ inline uint32_t hash3(uint32_t a, uint32_t b, uint32_t c) {
 /// For each key a value and a slope of the lattice noise, half of (-1, 1) and in (-1, 1). Further noises use
 /// the rows of the keys 4 and 8 higher.
 extern const std::array<std::array<double, 4>, 264> value_rows;
+
+/// Where the row of a hash begins: four times its key, the low eight bits of `hash_table`.
+extern const std::array<uint16_t, 4096> row_starts;
 
 /// Unit gradients and a permutation for the gradient noise (generator 3).
 struct GradientTables {

@@ -1,6 +1,7 @@
 #include "patterns/pattern_field.h"
 
 #include "patterns/formula.h"
+#include "patterns/sine.h"
 #include "patterns/warps.h"
 
 #include <algorithm>
@@ -61,10 +62,14 @@ void PatternField::shape(std::span<double> values) const {
             for (double& v : values) v = triangle(v);
             break;
         case Wave::sine:
-            for (double& v : values) v = (1.0 + cycloidal(v)) * 0.5;
+            for (double& v : values) v *= 2.0 * pi;
+            sines(values);
+            for (double& v : values) v = (1.0 + v) * 0.5;
             break;
         case Wave::scallop:
-            for (double& v : values) v = std::abs(cycloidal(v * 0.5));
+            for (double& v : values) v *= 0.5 * (2.0 * pi);
+            sines(values);
+            for (double& v : values) v = std::abs(v);
             break;
         case Wave::cubic:
             for (double& v : values) v = v * v * (3.0 - 2.0 * v);
@@ -81,11 +86,14 @@ MapPlace find_in_map(std::span<const float> positions, bool sorted, double value
     if (!(value < static_cast<double>(positions[last]))) return {last, last, 0.0};
     const auto reaches = [value](float position) { return value <= static_cast<double>(position); };
     uint32_t current = 0;
-    if (sorted && positions.size() > 8) {
+    if (sorted && positions.size() > 16) {
         current =
             static_cast<uint32_t>(std::partition_point(positions.begin(), positions.end(),
                                                        [&](float position) { return !reaches(position); }) -
                                   positions.begin());
+    } else if (sorted) {
+        // Counted to the end: where to stop is nothing that a processor could foresee.
+        for (const float position : positions) current += reaches(position) ? 0 : 1;
     } else {
         while (!reaches(positions[current])) ++current;
     }

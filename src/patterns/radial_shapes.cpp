@@ -1,6 +1,8 @@
 // onion, leopard, radial, boxed, planar, spherical, cylindrical (manual 3.4.7.1): simple functions of the
 // distance to a point, an axis or a plane.
+#include "base/scratch.h"
 #include "patterns/formula.h"
+#include "patterns/sine.h"
 
 #include <algorithm>
 
@@ -14,12 +16,24 @@ public:
     double value(const Vec3& p) const { return std::fmod(glm::length(p), 1.0); }
 };
 
-class Leopard final : public PointPattern<Leopard> {
+class Leopard final : public Pattern {
 public:
     std::string_view keyword() const override { return "leopard"; }
-    double value(const Vec3& p) const {
-        const double mean = (std::sin(p.x) + std::sin(p.y) + std::sin(p.z)) / 3.0;
-        return mean * mean;
+    void evaluate(const PatternContext&, std::span<const Vec3> points,
+                  std::span<double> values) const override {
+        const size_t count = points.size();
+        Scratch::Scope memory(thread_scratch());
+        const auto waves = memory.take<double>(3 * count);
+        for (size_t i = 0; i < count; ++i) {
+            waves[i] = points[i].x;
+            waves[count + i] = points[i].y;
+            waves[2 * count + i] = points[i].z;
+        }
+        sines(waves);
+        for (size_t i = 0; i < count; ++i) {
+            const double mean = (waves[i] + waves[count + i] + waves[2 * count + i]) / 3.0;
+            values[i] = mean * mean;
+        }
     }
 };
 

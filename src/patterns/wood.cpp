@@ -2,6 +2,7 @@
 #include "base/scratch.h"
 #include "patterns/formula.h"
 #include "patterns/noise.h"
+#include "patterns/sine.h"
 
 namespace rb {
 
@@ -15,17 +16,22 @@ public:
                   std::span<double> values) const override {
         const TurbulenceWarp* classic = context.modifiers.classic_turbulence();
         Scratch::Scope memory(thread_scratch());
-        const auto moves = memory.take<Vec3>(points.size(), Vec3{0.0});
+        const size_t count = points.size();
+        const auto moves = memory.take<double>(2 * count, 0.0);
+        const auto moves_x = moves.first(count);
+        const auto moves_y = moves.subspan(count);
         if (classic) {
-            vector_turbulence(points, *classic, moves);
-            for (size_t i = 0; i < points.size(); ++i) {
-                moves[i].x = cycloidal((points[i].x + moves[i].x) * classic->amount.x);
-                moves[i].y = cycloidal((points[i].y + moves[i].y) * classic->amount.y);
+            const auto turbulent = memory.take<Vec3>(count);
+            vector_turbulence(points, *classic, turbulent);
+            for (size_t i = 0; i < count; ++i) {
+                moves_x[i] = 2.0 * pi * ((points[i].x + turbulent[i].x) * classic->amount.x);
+                moves_y[i] = 2.0 * pi * ((points[i].y + turbulent[i].y) * classic->amount.y);
             }
+            sines(moves);
         }
-        for (size_t i = 0; i < points.size(); ++i) {
-            const double x = points[i].x + moves[i].x;
-            const double y = points[i].y + moves[i].y;
+        for (size_t i = 0; i < count; ++i) {
+            const double x = points[i].x + moves_x[i];
+            const double y = points[i].y + moves_y[i];
             values[i] = std::sqrt(x * x + y * y);
         }
     }

@@ -8,26 +8,32 @@ namespace {
 
 struct Spread {
     bool centered;
-    RB_INLINE void operator()(Quad& value, int) const {
+    template <class Numbers>
+    RB_INLINE void operator()(Numbers& value, int) const {
         if (!centered) return;
         value = 2.0 * value - 0.5;
         clamp_unit(value);
     }
 };
 
-RB_FOR_EACH_TARGET void wrinkle_values(std::span<const Vec3> points, int generator,
-                                       std::span<double> values) {
+template <class Lanes>
+RB_INLINE void wrinkle_values_in(std::span<const Vec3> points, int generator, std::span<double> values) {
     with_noise(generator, [&](const auto& noise) RB_INLINED {
-        sum_octaves(noise, points, Octaves::doubling(10, 1.0), Spread{noise.centered}, values);
+        sum_octaves<Lanes>(noise, points, Octaves::doubling(10, 1.0), Spread{noise.centered}, values);
     });
     for (double& v : values) v *= 0.5;
 }
+RB_FOR_EACH_WIDTH(wrinkle_values, (std::span<const Vec3> points, int generator, std::span<double> values),
+                  (points, generator, values))
 
-RB_FOR_EACH_TARGET void add_wrinkles(std::span<const Vec3> points, double amount, std::span<Vec3> normals) {
-    sum_vector_octaves(
-        points, Octaves::doubling(10, 1.0), [](Quad& value) RB_INLINED { set_magnitude(value, value); },
+template <class Lanes>
+RB_INLINE void add_wrinkles_in(std::span<const Vec3> points, double amount, std::span<Vec3> normals) {
+    sum_vector_octaves<Lanes>(
+        points, Octaves::doubling(10, 1.0), [](auto& value) RB_INLINED { set_magnitude(value, value); },
         [amount, normals](size_t i, const Vec3& sum) RB_INLINED { normals[i] += amount * sum; });
 }
+RB_FOR_EACH_WIDTH(add_wrinkles, (std::span<const Vec3> points, double amount, std::span<Vec3> normals),
+                  (points, amount, normals))
 
 class Wrinkles final : public Pattern {
 public:

@@ -91,12 +91,16 @@ void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, std::
         state_.counters.unreached += rows.size() - lit;
         for (size_t begin = 0; begin < lit; begin += bundle_size) {
             const auto places = reached.subspan(begin, std::min(bundle_size, lit - begin));
-            const Candidates* between = candidates(source, rows, places, columns, ways);
+            // Layers above have mostly asked already.
+            const Candidates* between = knows_all(rows, places, k, memory)
+                                            ? nullptr
+                                            : candidates(source, rows, places, columns, ways);
             const bool all_arrives = shadows_.passes_all(source, between);
             if (all_arrives) state_.counters.unhindered += places.size();
             for (const Reached& place : places) {
                 LitRow& row = rows[place.row];
                 const LightVector way = ways.at(place.row);
+                if (all_arrives) memory.store(row.root, k, place.color);
                 Rgb sum =
                     place.share *
                     (all_arrives ? place.color : arriving(light, row, way, place.color, between, memory));
@@ -105,6 +109,13 @@ void DirectLight::add(const FinishProgram& finish, std::span<LitRow> rows, std::
             }
         }
     }
+}
+
+/// True if nothing of the light at these places is left to be found out.
+bool DirectLight::knows_all(std::span<const LitRow> rows, std::span<const Reached> places, size_t light,
+                            const ShadowMemory& memory) {
+    return std::all_of(places.begin(), places.end(),
+                       [&](const Reached& place) { return memory.knows(rows[place.row].root, light); });
 }
 
 /// What may be between a light and places that it reaches; null if that is too much, or of no use.
@@ -118,6 +129,7 @@ const Candidates* DirectLight::candidates(const LightProgram& source, std::span<
     Bounds points;
     Bounds ends;
     uint32_t left = state_.hits[rows[places.front().row].hit].leaf;
+    const bool is_flat = left != no_leaf && program_.geometry.leaves_for_good(left, false);
     for (const Reached& place : places) {
         const Vec3 point = columns.point(place.row);
         points.include(point);
@@ -127,7 +139,8 @@ const Candidates* DirectLight::candidates(const LightProgram& source, std::span<
         }
         if (left == no_leaf) continue;
         const HitPoint& hit = state_.hits[rows[place.row].hit];
-        if (hit.leaf != left || !shadows_.leaves_for_good(source, hit, ways.at(place.row))) left = no_leaf;
+        if (hit.leaf != left || !(is_flat || shadows_.leaves_for_good(source, hit, ways.at(place.row))))
+            left = no_leaf;
     }
     if (!source.is_directed()) ends.include(source.light().location);
     ends.lo -= source.area_reach();

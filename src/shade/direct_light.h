@@ -23,6 +23,7 @@ public:
     const Rgb* find(size_t row, size_t light) const {
         return keep_ && known_[row * lights_ + light] ? &colors_[row * lights_ + light] : nullptr;
     }
+    bool knows(size_t row, size_t light) const { return keep_ && known_[row * lights_ + light] != 0; }
     void store(size_t row, size_t light, const Rgb& color) {
         if (!keep_) return;
         known_[row * lights_ + light] = 1;
@@ -54,6 +55,8 @@ private:
         size_t index;  ///< into ShadingProgram::lights
         size_t place;  ///< in the list
     };
+    static bool knows_all(std::span<const LitRow> rows, std::span<const Reached> places, size_t light,
+                          const ShadowMemory& memory);
     const Candidates* candidates(const LightProgram& source, std::span<const LitRow> rows,
                                  std::span<const Reached> places, const Columns& columns, const Ways& ways);
     static void look_toward(const LightProgram& source, const Columns& rows, Ways& ways);

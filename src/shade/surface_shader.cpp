@@ -250,18 +250,24 @@ void SurfaceShader::shade_layer(const LayerProgram& layer, const Rows& rows, std
                                 Chains enclosing, LayerStack& stack, ShadowMemory& shadows) {
     Scratch::Scope memory(thread_scratch());
     const size_t count = active.size();
-    const auto hits = memory.take<uint32_t>(count);
-    const auto roots = memory.take<uint32_t>(count);
-    const auto points = memory.take<Vec3>(count);
-    for (size_t i = 0; i < count; ++i) {
-        hits[i] = rows.hits[active[i]];
-        roots[i] = rows.roots[active[i]];
-        points[i] = rows.points[active[i]];
+    Rows chosen = rows;
+    if (count < rows.size()) {
+        const auto hits = memory.take<uint32_t>(count);
+        const auto roots = memory.take<uint32_t>(count);
+        const auto points = memory.take<Vec3>(count);
+        for (size_t i = 0; i < count; ++i) {
+            hits[i] = rows.hits[active[i]];
+            roots[i] = rows.roots[active[i]];
+            points[i] = rows.points[active[i]];
+        }
+        chosen = {hits, roots, points, {}};
     }
-    const auto filters = memory.take<Rgb>(count);
-    for (size_t i = 0; i < count; ++i) filters[i] = stack.filter[active[i]];
-    const auto [lit, pigments] =
-        light_layer(layer, {hits, roots, points, {}}, enclosing, shadows, filters, memory);
+    std::span<Rgb> filters;
+    if (state_.indirect) {
+        filters = memory.take<Rgb>(count);
+        for (size_t i = 0; i < count; ++i) filters[i] = stack.filter[active[i]];
+    }
+    const auto [lit, pigments] = light_layer(layer, chosen, enclosing, shadows, filters, memory);
     for (size_t i = 0; i < count; ++i) {
         const uint32_t row = active[i];
         if (stack.is_top) stack.top_normal[row] = lit[i].place.normal;

@@ -1,8 +1,9 @@
-// Noise over batches, four points at a time, against the same sums written plainly for one point: bit for
+// Noise over batches, several points at a time, against the same sums written plainly for one point: bit for
 // bit.
 #include "pattern_text.h"
 #include "patterns/feature_points.h"
 #include "patterns/noise.h"
+#include "patterns/noise_lanes.h"
 #include "patterns/noise_tables.h"
 #include "patterns/pattern_field.h"
 
@@ -258,6 +259,36 @@ TEST(NoiseTwin, VectorNoiseAndTurbulence) {
                 expect_values(batch, sums, expected);
             }
         }
+    });
+}
+
+/// What processors without eight doubles in a register do.
+TEST(NoiseTwin, ByFours) {
+    TurbulenceWarp shape;
+    shape.octaves = 4;
+    const Octaves octaves = Octaves::of(shape);
+    each_batch(all_sorts_of_points(), [&](std::span<const Vec3> batch) {
+        std::vector<double> sums(batch.size());
+        for (int g = 1; g <= 3; ++g) {
+            with_noise(g, [&](const auto& noise) {
+                sum_octaves<Quads>(
+                    noise, batch, octaves, [](Quad&, int) {}, sums);
+            });
+            expect_values(batch, sums, [&](const Vec3& p) {
+                double sum = 0;
+                for (int i = 0; i < octaves.count; ++i) {
+                    const double value = octaves.weight[i] * twin(octaves.scale[i] * p, g);
+                    sum = i == 0 ? value : sum + value;
+                }
+                return sum;
+            });
+        }
+        sum_vector_octaves<Quads>(
+            batch, octaves, [](Quad&) {},
+            [&](size_t i, const Vec3& sum) {
+                const Vec3 expected = vector_turbulence_twin(batch[i], shape);
+                for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(same(sum[axis], expected[axis]));
+            });
     });
 }
 
