@@ -100,7 +100,11 @@ Extent extent_of_crossings(const SolidForest& solids, uint32_t leaf, const Vec3&
 bool has_few_limits(const SolidForest& solids, uint32_t leaf) {
     constexpr size_t most = 64;
     size_t count = 0;
-    each_limit(solids, leaf, [&](uint32_t) { ++count; });
+    for (uint32_t at = leaf; at != no_node && solids.nodes[at].tests_hits; at = solids.nodes[at].parent) {
+        const SolidNode& node = solids.nodes[at];
+        if (node.kind == SolidNode::Kind::intersection) count += node.child_count;
+        count += solids.lists_of(node).clips.size();
+    }
     return count <= most;
 }
 
