@@ -1,9 +1,12 @@
 #pragma once
 #include "compile/flatten.h"
 #include "compile/geometry.h"
+#include "compile/slabs.h"
 #include "kdtree/box_tree.h"
 
 namespace rb {
+
+constexpr uint32_t no_slabs = std::numeric_limits<uint32_t>::max();
 
 /// What a ray needs of a leaf, close together.
 struct Element {
@@ -12,8 +15,9 @@ struct Element {
     RayMask mask = 0;
     bool in_world_space = false;
     bool tests_hits = false;
-    bool is_costly = false;    ///< rays are cut to its box
-    float object_stretch = 1;  ///< bound on how lengths grow from world to object
+    bool is_costly = false;     ///< rays are cut to its box
+    uint32_t slabs = no_slabs;  ///< index into Geometry::Parts::slabs
+    float object_stretch = 1;   ///< bound on how lengths grow from world to object
     float radius = std::numeric_limits<float>::infinity();  ///< of a ball around a sphere, rounded outward
     Vec3f center{0.0f};
 };
@@ -34,6 +38,7 @@ struct Geometry::Parts {
     FlatGeometry flat;
     std::vector<Element> elements;  ///< listed ones first, then those of the tree
     std::vector<PlaneTest> planes;  ///< of the listed elements
+    std::vector<Slabs> slabs;       ///< of leaves of solids that have any
     uint32_t listed = 0;            ///< infinite ones
     BoxTree tree;                   ///< numbers its elements from `listed` on
     std::vector<uint32_t> element_of_leaf;

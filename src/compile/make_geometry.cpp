@@ -44,6 +44,14 @@ void set_ball(Element& e) {
     e.radius = static_cast<float>(rounding * (0.5 * max_component(box.size()) + moved));
 }
 
+void set_slabs(Geometry::Parts& parts, Element& e) {
+    if (!e.tests_hits) return;
+    const Slabs slabs = slabs_of(parts.flat, e.leaf);
+    if (slabs.empty()) return;
+    e.slabs = static_cast<uint32_t>(parts.slabs.size());
+    parts.slabs.push_back(slabs);
+}
+
 }  // namespace
 
 bool fits_tree(const Bounds& box) {
@@ -67,6 +75,7 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
         p.elements.push_back(element_of(leaves[i], i, p.flat.solids));
         if (brute_force) return;
         set_ball(p.elements.back());
+        set_slabs(p, p.elements.back());
         p.elements.back().is_costly = leaves[i].shape->is_costly() && p.flat.boxes[i].is_finite();
     };
     for (uint32_t i = 0; i < leaves.size(); ++i) {
@@ -75,8 +84,10 @@ std::shared_ptr<const Geometry> make_geometry(FlatGeometry flat, bool brute_forc
         const Bounds& box = p.flat.boxes[i];
         if (box.is_empty() && !brute_force) continue;
         if (!brute_force && fits_tree(box)) {
+            const Bounds tight = tight_box(p.flat, i);
+            if (tight.is_empty()) continue;
             treed.push_back(i);
-            items.push_back({box, leaves[i].mask});
+            items.push_back({tight, leaves[i].mask});
         } else {
             add(i);
         }

@@ -206,6 +206,8 @@ private:
     /// The same for leaves in a space of their own, and for those that are parts of solids.
     template <bool any>
     bool ask_elsewhere(const Element& e, Crossing& found) const {
+        if (e.slabs != no_slabs && parts_.slabs[e.slabs].are_missed(ray_.ray, ray_.t_min, ray_.t_max))
+            return false;
         const Leaf& leaf = parts_.flat.leaves[e.leaf];
         if (e.in_world_space) return ask_solid<any>(e, ray_, found);
         const Ray ray{leaf.object_from_world.point(ray_.ray.origin),

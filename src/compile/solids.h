@@ -77,13 +77,14 @@ public:
     /// `box` of the surface of shape node `leaf`, cut down to the regions in which its hits can count.
     Bounds cut(uint32_t leaf, const Bounds& box) const;
 
-private:
     std::span<const uint32_t> children_of(const SolidNode& node) const {
         return {children.data() + node.first_child, node.child_count};
     }
     const SolidLists& lists_of(const SolidNode& node) const {
         return node.lists == no_node ? no_lists : lists[node.lists];
     }
+
+private:
     /// True if test(child) is true for all children that have a say at `p`.
     template <class Test>
     bool all_at(const SolidNode& node, const Vec3& p, Test&& test) const;

@@ -28,24 +28,28 @@ struct Found {
 };
 
 /// Of more than `max` the farthest are left out, and the others fill a part of the ball only. `nearest` has
-/// room for one more than are wanted.
-Found find(const PhotonMap& map, const PhotonMetric& metric, double radius, std::span<FoundPhoton> nearest) {
+/// room for one more than are wanted. `known`: null, or what was found in space near by.
+Found find(const PhotonMap& map, const PhotonMetric& metric, double radius, std::span<FoundPhoton> nearest,
+           KnownReaches* known = nullptr) {
     const size_t max = nearest.size() - 1;
-    const size_t count = map.find(metric, radius, nearest);
+    const size_t count =
+        map.find(metric, known ? std::min(radius, known->at(metric.place)) : radius, nearest);
     if (count <= max) return {count, radius};
-    std::ranges::nth_element(nearest, nearest.begin() + static_cast<std::ptrdiff_t>(max - 1));
-    return {max, std::sqrt(nearest[max - 1].square)};
+    const auto farthest = std::ranges::max_element(nearest);
+    if (known) known->add(metric.place, std::sqrt(farthest->square));
+    std::shift_left(farthest, nearest.end(), 1);
+    return {max, std::sqrt(std::ranges::max(nearest.first(max)).square)};
 }
 
 /// Looks farther where that finds about as many for the area, or where there are few at all. (Measured: for
 /// the area in media, too.)
 Found gather(const PhotonMap& map, const PhotonMetric& metric, const GatherRule& rule,
-             std::span<FoundPhoton> nearest) {
-    const Found first = find(map, metric, rule.radius, nearest);
+             std::span<FoundPhoton> nearest, KnownReaches* known) {
+    const Found first = find(map, metric, rule.radius, nearest, known);
     if (first.count >= rule.min) return first;
     Scratch::Scope memory(thread_scratch());
     const auto farther = memory.take<FoundPhoton>(nearest.size());
-    const Found second = find(map, metric, 3.0 * rule.radius, farther);
+    const Found second = find(map, metric, 3.0 * rule.radius, farther, known);
     const double density = first.density(false);
     const bool is_even = second.density(false) - density < rule.expand_increase * density;
     const bool is_few = second.count > 0 && static_cast<double>(second.count) < rule.expand_count;
@@ -55,10 +59,10 @@ Found gather(const PhotonMap& map, const PhotonMetric& metric, const GatherRule&
 }
 
 GatheredPhotons look_at(const PhotonMap& map, const PhotonMetric& metric, const GatherRule& rule,
-                        bool in_space, std::span<NearPhoton> memory) {
+                        bool in_space, std::span<NearPhoton> memory, KnownReaches* known = nullptr) {
     Scratch::Scope scratch(thread_scratch());
     const auto nearest = scratch.take<FoundPhoton>(memory.size() + 1);
-    const Found found = gather(map, metric, rule, nearest);
+    const Found found = gather(map, metric, rule, nearest, known);
     for (size_t i = 0; i < found.count; ++i) {
         memory[i] = {map.color(nearest[i].index), map.origin(nearest[i].index)};
     }
@@ -121,8 +125,9 @@ GatheredPhotons PhotonMaps::around(const Vec3& point, const Vec3& normal,
     return look_at(surfaces_, {point, normal}, surface_rule_, false, memory);
 }
 
-GatheredPhotons PhotonMaps::around(const Vec3& point, std::span<NearPhoton> memory) const {
-    return look_at(media_, {point}, media_rule_, true, memory);
+GatheredPhotons PhotonMaps::around(const Vec3& point, std::span<NearPhoton> memory,
+                                   KnownReaches* known) const {
+    return look_at(media_, {point}, media_rule_, true, memory, known);
 }
 
 }  // namespace rb

@@ -33,7 +33,8 @@ public:
     }
     GatheredPhotons around(const Vec3& point, const Vec3& normal,
                            std::span<NearPhoton> memory) const override;
-    GatheredPhotons around(const Vec3& point, std::span<NearPhoton> memory) const override;
+    GatheredPhotons around(const Vec3& point, std::span<NearPhoton> memory,
+                           KnownReaches* known) const override;
 
     const PhotonMap& surface_map() const { return surfaces_; }
     const PhotonMap& media_map() const { return media_; }

@@ -45,7 +45,16 @@ size_t range_count(size_t photons) {
 }  // namespace
 
 double PhotonMetric::least_square(const PhotonBox& box) const {
+    constexpr double slack = 1e-12;
     Vec3 apart{0.0};
+    if (is_round()) {
+        for (int i = 0; i < 3; ++i) {
+            const auto side = static_cast<size_t>(i);
+            apart[i] = std::max({static_cast<double>(box.lo[side]) - place[i],
+                                 place[i] - static_cast<double>(box.hi[side]), 0.0});
+        }
+        return glm::dot(apart, apart) * (1.0 - slack);
+    }
     double along = 0;
     double spread = 0;
     for (int i = 0; i < 3; ++i) {
@@ -56,7 +65,6 @@ double PhotonMetric::least_square(const PhotonBox& box) const {
         spread += 0.5 * std::abs(normal[i]) * (hi - lo);
     }
     // A little less, for the sake of rounding.
-    constexpr double slack = 1e-12;
     const double beside = std::abs(along) - spread - slack * (std::abs(along) + spread);
     return glm::dot(apart, apart) * (1.0 + 16.0 * std::max(beside, 0.0)) * (1.0 - slack);
 }
@@ -89,11 +97,12 @@ void PhotonMap::sort(std::span<Photon> photons, size_t node) {
 }
 
 /// Collects photons that are near enough so far; whenever there are twice as many as wanted, the farther half
-/// is thrown away.
+/// is thrown away. Those that stay keep their order.
 class PhotonMap::Search {
 public:
-    Search(const PhotonMap& map, const PhotonMetric& metric, double radius, std::span<FoundPhoton> found)
-        : map_(map), metric_(metric), limit_{radius * radius, 0}, found_(found) {}
+    Search(const PhotonMap& map, const PhotonMetric& metric, double radius, std::span<FoundPhoton> found,
+           std::span<FoundPhoton> memory)
+        : map_(map), metric_(metric), limit_{radius * radius, 0}, found_(found), memory_(memory) {}
 
     void in(size_t begin, size_t end, size_t node, double least) {
         if (least > limit_.square) return;
@@ -126,9 +135,16 @@ public:
 
 private:
     void keep(size_t wanted) {
-        const auto last = found_.begin() + static_cast<std::ptrdiff_t>(wanted - 1);
-        std::nth_element(found_.begin(), last, found_.begin() + static_cast<std::ptrdiff_t>(count_));
+        const auto sorted = memory_.first(count_);
+        std::ranges::copy(found_.first(count_), sorted.begin());
+        const auto last = sorted.begin() + static_cast<std::ptrdiff_t>(wanted - 1);
+        std::nth_element(sorted.begin(), last, sorted.end());
         limit_ = *last;
+        size_t kept = 0;
+        for (const FoundPhoton& found : found_.first(count_)) {
+            found_[kept] = found;
+            kept += limit_ < found ? 0 : 1;
+        }
         count_ = wanted;
     }
 
@@ -136,13 +152,15 @@ private:
     const PhotonMetric& metric_;
     FoundPhoton limit_;  ///< what is not nearer does not count
     std::span<FoundPhoton> found_;
+    std::span<FoundPhoton> memory_;  ///< as large, to sort in
     size_t count_ = 0;
 };
 
 size_t PhotonMap::find(const PhotonMetric& metric, double radius, std::span<FoundPhoton> nearest) const {
     if (nearest.empty() || empty()) return 0;
     Scratch::Scope memory(thread_scratch());
-    Search search(*this, metric, radius, memory.take<FoundPhoton>(2 * nearest.size()));
+    Search search(*this, metric, radius, memory.take<FoundPhoton>(2 * nearest.size()),
+                  memory.take<FoundPhoton>(2 * nearest.size()));
     search.in(0, size(), 0, 0.0);
     return search.take(nearest);
 }

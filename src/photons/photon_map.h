@@ -23,6 +23,7 @@ struct PhotonMetric {
         const Vec3 away = Vec3{photon[0], photon[1], photon[2]} - place;
         return glm::dot(away, away) * (1.0 + 16.0 * std::abs(glm::dot(normal, away)));
     }
+    bool is_round() const { return normal == Vec3{0.0}; }
     /// No photon in the box has a smaller square.
     double least_square(const PhotonBox& box) const;
 };
@@ -34,6 +35,9 @@ struct FoundPhoton {
     uint32_t index = 0;
 
     friend auto operator<=>(const FoundPhoton&, const FoundPhoton&) = default;
+    friend bool operator<(const FoundPhoton& a, const FoundPhoton& b) {
+        return a.square < b.square || (a.square == b.square && a.index < b.index);
+    }
 };
 
 /// Photons in a balanced kd-tree without pointers (Bentley 1975): sorted so that the halves of each range lie
@@ -49,8 +53,8 @@ public:
     const Rgb& color(size_t i) const { return lights_[i].color; }
     Vec3 origin(size_t i) const { return lights_[i].origin.unpacked(); }
 
-    /// Those nearer than `radius`, the nearest `nearest.size()` of them if there are more, in no order.
-    /// Returns how many.
+    /// Those nearer than `radius`, the nearest `nearest.size()` of them if there are more. Returns how many.
+    /// Their order depends on the metric alone: a smaller radius leaves out the others.
     size_t find(const PhotonMetric& metric, double radius, std::span<FoundPhoton> nearest) const;
     /// The same by looking at each photon.
     size_t find_slowly(const PhotonMetric& metric, double radius, std::span<FoundPhoton> nearest) const;

@@ -96,6 +96,16 @@ struct TextureWeight {
     float weight = 1;
 };
 
+/// From where to where something reaches along a direction; unbounded as it is.
+struct Extent {
+    double lo = -std::numeric_limits<double>::infinity();
+    double hi = std::numeric_limits<double>::infinity();
+
+    static constexpr Extent nothing() {
+        return {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    }
+};
+
 /// How a surface bends. From a flat one no ray comes back to it; from a convex one none that leaves outward.
 enum class Curvature { any, convex, flat };
 
@@ -135,6 +145,11 @@ public:
     virtual Bounds solid_bounds_within(const Bounds& region) const {
         return intersection(solid_bounds(), region);
     }
+
+    /// Holds dot(direction, p) for all points of the surface, and of the solid.
+    virtual Extent extent(const Vec3& direction) const;
+    /// True if extent() tells more than the box.
+    virtual bool has_tight_extent() const { return false; }
 
     /// Adds all crossings.
     virtual void crossings(const ShapeRay& ray, Crossings& out) const = 0;

@@ -41,8 +41,9 @@ int steps_of(const Media& media) { return std::max(2, media.min_samples / 2 + 1)
 struct MediaPath::Range {
     double from;
     double to;
-    Sample first;
-    Sample last;
+    Sample first{};
+    Sample middle{};
+    Sample last{};
     Sample mean{};  ///< result
     uint32_t owner = 0;
 };
@@ -55,6 +56,7 @@ double MediaPath::next_place() {
 }
 
 Rgb MediaPath::attenuation(double length) {
+    wants_emission_ = false;
     const MediaPiece all{0.0, length, false};
     pass(all, mix_.is_constant() ? 1 : leading().intervals, false);
     return exp_of(-depth_);
@@ -90,7 +92,7 @@ void MediaPath::pass(const MediaPiece& piece, int intervals, bool may_add_sample
     const double length = (piece.to - piece.from) / intervals;
     for (int i = 0; i < intervals; ++i) {
         const Sample mean = integral({piece.from + i * length, length, piece.lit}, may_add_samples);
-        effect_.added += mean.emitted * exp_of(-depth_);
+        if (wants_emission_) effect_.added += mean.emitted * exp_of(-depth_);
         depth_ += mean.depth;
     }
 }
@@ -105,6 +107,7 @@ MediaPath::Sample MediaPath::constant(const Interval& interval) {
     constexpr double anywhere = 0.0;
     Sample sample;
     look(interval, {&anywhere, 1}, {&sample, 1});
+    if (!wants_emission_) return sample;
     if (leading().method == 3) {
         const auto steps = static_cast<float>(steps_of(leading()));
         sample.emitted *= per_channel(sample.depth, [&](float x) { return mean_of_steps(x, steps); });
@@ -166,28 +169,36 @@ MediaPath::Sample MediaPath::refined(const Interval& interval) {
     const Media& media = leading();
     const int steps = steps_of(media);
     const double step = 1.0 / (steps + 1);
-    std::array<double, batch> places;
-    std::array<Sample, batch> samples;
+    // Steps' ends, the one before the first among them, then what lies between.
+    std::array<double, 2 * batch + 1> places;
+    std::array<Sample, 2 * batch + 1> samples;
     std::array<Range, batch> ranges;
     const auto place = [&](int j) {
         return j * step + (media.jitter != 0.0 ? step * media.jitter * (random() - 0.5) : 0.0);
     };
-    places[0] = place(0);
-    Sample before;
-    look(interval, std::span(places).first(1), {&before, 1});
     Sample sum;
     for (int begin = 1; begin <= steps; begin += static_cast<int>(batch)) {
         const auto n = std::min(batch, static_cast<size_t>(steps - begin + 1));
-        for (size_t i = 0; i < n; ++i) places[i] = place(begin + static_cast<int>(i));
-        look(interval, std::span(places).first(n), std::span(samples).first(n));
+        const size_t known = begin == 1 ? 0 : 1;
+        if (known == 0) places[0] = place(0);
         for (size_t i = 0; i < n; ++i) {
             const int j = begin + static_cast<int>(i);
-            ranges[i] = {(j - 1) * step, j * step, i == 0 ? before : samples[i - 1], samples[i]};
+            places[i + 1] = place(j);
+            ranges[i] = {(j - 1) * step, j * step};
         }
-        before = samples[n - 1];
-        refine(interval, std::span(ranges).first(n), media.aa_level - 1);
+        for (size_t i = 0; i < n; ++i) places[n + 1 + i] = middle_of(ranges[i]);
+        const size_t count = 2 * n + 1 - known;
+        look(interval, std::span(places).subspan(known, count), std::span(samples).subspan(known, count));
         for (size_t i = 0; i < n; ++i) {
-            sum.emitted += ranges[i].mean.emitted * exp_of(sum.depth / static_cast<float>(-steps));
+            ranges[i].first = samples[i];
+            ranges[i].middle = samples[n + 1 + i];
+            ranges[i].last = samples[i + 1];
+        }
+        refine(interval, std::span(ranges).first(n), media.aa_level - 1);
+        samples[0] = samples[n];
+        for (size_t i = 0; i < n; ++i) {
+            if (wants_emission_)
+                sum.emitted += ranges[i].mean.emitted * exp_of(sum.depth / static_cast<float>(-steps));
             sum.depth += ranges[i].mean.depth;
         }
     }
@@ -195,25 +206,23 @@ MediaPath::Sample MediaPath::refined(const Interval& interval) {
     return {sum.emitted / n, sum.depth / n};
 }
 
+/// Where to look between the ends of a range.
+double MediaPath::middle_of(const Range& range) {
+    const double jitter = leading().jitter;
+    const double middle = 0.5 * (range.from + range.to);
+    return jitter != 0.0 ? middle + jitter * (range.to - range.from) * (random() - 0.5) : middle;
+}
+
 void MediaPath::refine(const Interval& interval, std::span<Range> ranges, int depth) {
     Scratch::Scope memory(thread_scratch());
-    const auto places = memory.take<double>(ranges.size());
-    const auto middles = memory.take<Sample>(ranges.size());
-    const double jitter = leading().jitter;
-    for (size_t i = 0; i < ranges.size(); ++i) {
-        const Range& r = ranges[i];
-        places[i] = 0.5 * (r.from + r.to);
-        if (jitter != 0.0) places[i] += jitter * (r.to - r.from) * (random() - 0.5);
-    }
-    look(interval, places, middles);
     const auto halves = memory.take<Range>(2 * ranges.size());
     size_t count = 0;
     const auto add_half = [&](uint32_t owner, double from, double to, const Sample& a, const Sample& b) {
-        halves[count++] = {from, to, a, b, {}, owner};
+        halves[count++] = {from, to, a, {}, b, {}, owner};
     };
     for (uint32_t i = 0; i < ranges.size(); ++i) {
         Range& r = ranges[i];
-        const Sample& m = middles[i];
+        const Sample& m = r.middle;
         const double middle = 0.5 * (r.from + r.to);
         if (depth <= 0 || !(r.from < middle && middle < r.to)) {
             r.mean.emitted = (r.first.emitted + m.emitted + r.last.emitted) / 3.0f;
@@ -234,12 +243,22 @@ void MediaPath::refine(const Interval& interval, std::span<Range> ranges, int de
     }
     for (size_t begin = 0; begin < count; begin += batch) {
         const auto part = halves.subspan(begin, std::min(batch, count - begin));
+        look_between(interval, part);
         refine(interval, part, depth - 1);
         for (const Range& half : part) {
             ranges[half.owner].mean.emitted += 0.5f * half.mean.emitted;
             ranges[half.owner].mean.depth += 0.5f * half.mean.depth;
         }
     }
+}
+
+/// At the middle of each range.
+void MediaPath::look_between(const Interval& interval, std::span<Range> ranges) {
+    std::array<double, batch> places;
+    std::array<Sample, batch> samples;
+    for (size_t i = 0; i < ranges.size(); ++i) places[i] = middle_of(ranges[i]);
+    look(interval, std::span(places).first(ranges.size()), std::span(samples).first(ranges.size()));
+    for (size_t i = 0; i < ranges.size(); ++i) ranges[i].middle = samples[i];
 }
 
 /// `places`: fractions of the interval.

@@ -58,7 +58,9 @@ private:
     Sample constant(const Interval& interval);
     Sample spread(const Interval& interval, bool may_add_samples);
     Sample refined(const Interval& interval);
+    double middle_of(const Range& range);
     void refine(const Interval& interval, std::span<Range> ranges, int depth);
+    void look_between(const Interval& interval, std::span<Range> ranges);
     void look(const Interval& interval, std::span<const double> places, std::span<Sample> out);
     double random() { return unit_draw(draws_++); }
     double unit_draw(uint64_t purpose) const;
@@ -69,6 +71,7 @@ private:
     uint64_t seed_;
     MediaLighting* lighting_;
     uint64_t draws_ = 0;
+    bool wants_emission_ = true;
     AirEffect effect_;
     Rgb depth_{0.0f};  ///< from the beginning of the ray
 };

@@ -37,13 +37,14 @@ void MediaTracer::add(std::span<const double> distances, std::span<const Vec3> p
     if (shows_photons()) add_photons(points, samples);
 }
 
-void MediaTracer::add_photons(std::span<const Vec3> points, std::span<MediaSample> samples) const {
+void MediaTracer::add_photons(std::span<const Vec3> points, std::span<MediaSample> samples) {
     Scratch::Scope scratch(thread_scratch());
     const auto memory = scratch.take<NearPhoton>(program_.photons->capacity());
     const Vec3& direction = state_.rays[ray_index_].ray.direction;
+    KnownReaches* known = program_.options.skip_unneeded ? &reaches_ : nullptr;
     for (size_t i = 0; i < points.size(); ++i) {
         if (samples[i].scattering == Rgb(0.0f)) continue;
-        const GatheredPhotons found = program_.photons->around(points[i], memory);
+        const GatheredPhotons found = program_.photons->around(points[i], memory, known);
         Rgb sum(0.0f);
         for (const NearPhoton& photon : found.photons) {
             sum += mix_.phase(glm::dot(photon.direction, direction)) * photon.color;

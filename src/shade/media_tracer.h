@@ -27,7 +27,7 @@ private:
     bool shows_photons() const { return program_.photons && program_.photons->in_media() && mix_.collects(); }
     void add_light(const LightSpan& span, std::span<const double> distances, std::span<const Vec3> points,
                    std::span<MediaSample> samples);
-    void add_photons(std::span<const Vec3> points, std::span<MediaSample> samples) const;
+    void add_photons(std::span<const Vec3> points, std::span<MediaSample> samples);
     const Candidates* candidates(const LightProgram& source, std::span<const Vec3> points);
 
     const ShadingProgram& program_;
@@ -37,6 +37,7 @@ private:
     uint32_t ray_index_ = 0;
     std::vector<LightSpan> spans_;
     std::vector<MediaPiece> pieces_;
+    KnownReaches reaches_;   ///< of photons
     Candidates candidates_;  ///< of the samples and the light at hand
 };
 

@@ -2,6 +2,9 @@
 #include "math/vec.h"
 #include "scene/color.h"
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <span>
 
 namespace rb {
@@ -18,6 +21,35 @@ struct GatheredPhotons {
     double extent = 0;
 };
 
+/// How far from some places as many photons were found as are gathered at once: a place near by need not look
+/// farther than that and the way there.
+class KnownReaches {
+public:
+    /// A distance within which as many are; infinite if nothing is known.
+    double at(const Vec3& p) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Place& place : std::span(places_).first(count_))
+            least = std::min(least, glm::distance(p, place.point) + place.reach);
+        constexpr double rounding = 1e-9;
+        constexpr double coordinate_rounding = 1e-14;
+        return least * (1.0 + rounding) + coordinate_rounding * largest_magnitude(p);
+    }
+    void add(const Vec3& p, double reach) {
+        places_[next_] = {p, reach};
+        next_ = (next_ + 1) % places_.size();
+        count_ = std::max(count_, next_ == 0 ? places_.size() : next_);
+    }
+
+private:
+    struct Place {
+        Vec3 point{0.0};
+        double reach = 0;
+    };
+    std::array<Place, 64> places_;
+    size_t count_ = 0;
+    size_t next_ = 0;
+};
+
 /// The light that photons left in a world, as shading asks for it. Immutable; safe to ask from many threads.
 class PhotonLight {
 public:
@@ -31,7 +63,9 @@ public:
     /// On a surface with this normal. `memory` has `capacity()` elements.
     virtual GatheredPhotons around(const Vec3& point, const Vec3& normal,
                                    std::span<NearPhoton> memory) const = 0;
-    virtual GatheredPhotons around(const Vec3& point, std::span<NearPhoton> memory) const = 0;
+    /// In media. `known`: null, or what was found before, which saves work; the answer is the same.
+    virtual GatheredPhotons around(const Vec3& point, std::span<NearPhoton> memory,
+                                   KnownReaches* known) const = 0;
 };
 
 }  // namespace rb

@@ -19,6 +19,8 @@ struct BlobComponent {
     Vec3 slope(const Vec3& p) const;  ///< minus the gradient of the field
     /// Box of the points at a distance up to `r`.
     Bounds box(double r) const;
+    /// Bound on the field where dot(direction, p) is `height` or more.
+    double most_beyond(const Vec3& direction, double height) const;
 };
 
 struct BlobData {
@@ -37,6 +39,8 @@ public:
     Bounds bounds() const override { return box_; }
     Bounds language_extent() const override { return extent_; }
     Bounds solid_bounds() const override;
+    Extent extent(const Vec3& direction) const override;
+    bool has_tight_extent() const override { return data_.threshold > 0.0; }
     bool inside(const Vec3& p) const override;
     void crossings(const ShapeRay& ray, Crossings& out) const override;
     bool closest(const ShapeRay& ray, const CrossingFilter* filter, Crossing& nearest) const override;
@@ -59,6 +63,7 @@ private:
     void each_at(const Vec3& p, Take&& take) const;
     template <class Walk, class Take>
     void each_found(Walk&& walk, Take&& take) const;
+    double height_along(const Vec3& direction) const;
     bool starts_here(const ShapeRay& query, double& level) const;
     template <class Take>
     void each_crossing(const ShapeRay& query, Take&& take) const;

@@ -267,6 +267,17 @@ Bounds BlobComponent::box(double r) const {
     return box;
 }
 
+double BlobComponent::most_beyond(const Vec3& direction, double height) const {
+    if (!(strength > 0.0)) return 0.0;
+    const Affine& map = object_from_local.forward;
+    const Vec3 slopes = map.transposed_direction(direction);
+    const double top = glm::dot(map.row[3], direction) + std::max(length * slopes.z, 0.0);
+    const double apart = height - top;
+    if (!(apart > 0.0)) return strength;
+    const double w = 1.0 - apart * apart / glm::dot(slopes, slopes);
+    return w > 0.0 ? strength * w * w : 0.0;
+}
+
 Blob::Blob(BlobData data, bool with_tree) : data_(std::move(data)) {
     std::vector<Bounds> boxes;
     for (const BlobComponent& c : data_.components) boxes.push_back(c.box(1.0));
@@ -288,6 +299,27 @@ Blob::Blob(BlobData data, bool with_tree) : data_(std::move(data)) {
 }
 
 Bounds Blob::solid_bounds() const { return data_.threshold > 0.0 ? box_ : Bounds::everything(); }
+
+/// How far it reaches: beyond that all components together stay below the threshold.
+double Blob::height_along(const Vec3& direction) const {
+    constexpr int halvings = 24;
+    constexpr double rounding = 1e-9;
+    const Vec3 half = 0.5 * box_.size();
+    double inner = glm::dot(box_.center(), direction) - glm::dot(half, glm::abs(direction));
+    double outer = glm::dot(box_.center(), direction) + glm::dot(half, glm::abs(direction));
+    for (int i = 0; i < halvings; ++i) {
+        const double height = 0.5 * (inner + outer);
+        double most = 0.0;
+        for (const BlobComponent& c : data_.components) most += c.most_beyond(direction, height);
+        (most * (1.0 + rounding) < data_.threshold ? outer : inner) = height;
+    }
+    return outer;
+}
+
+Extent Blob::extent(const Vec3& direction) const {
+    if (!has_tight_extent() || !box_.is_finite() || box_.is_empty()) return {};
+    return {-height_along(-direction), height_along(direction)};
+}
 
 template <class Take>
 void Blob::each_along(const Ray& ray, Take&& take) const {

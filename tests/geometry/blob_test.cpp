@@ -48,5 +48,45 @@ TEST(Blob, TreeFindsTheSameBits) {
     }
 }
 
+TEST(Blob, ExtentHoldsTheSolid) {
+    Dice dice(7);
+    for (const size_t count : {size_t{1}, size_t{3}, size_t{40}}) {
+        const Blob blob(crowd(dice, count));
+        if (blob.bounds().is_empty()) continue;
+        for (int i = 0; i < 50; ++i) {
+            const Vec3 direction = dice.between(0.5, 2.0) * dice.direction();
+            const Extent extent = blob.extent(direction);
+            for (int k = 0; k < 400; ++k) {
+                const Vec3 p = dice.point(1.3);
+                if (!blob.inside(p)) continue;
+                ASSERT_GE(glm::dot(p, direction), extent.lo);
+                ASSERT_LE(glm::dot(p, direction), extent.hi);
+            }
+        }
+    }
+}
+
+TEST(Blob, ExtentOfOneIsExact) {
+    BlobData data;
+    data.threshold = 0.36;
+    data.components.push_back({});
+    data.components.back().object_from_local = Transform::translation({1, 2, 3});
+    const Extent extent = Blob(data).extent({0, 1, 0});
+    const double radius = std::sqrt(1.0 - 0.6);
+    EXPECT_NEAR(extent.lo, 2.0 - radius, 1e-6);
+    EXPECT_NEAR(extent.hi, 2.0 + radius, 1e-6);
+}
+
+// What overlaps reaches no farther than its parts do together.
+TEST(Blob, ExtentOfSeveralIsTight) {
+    BlobData data;
+    data.threshold = 0.36;
+    data.components.resize(3);
+    data.components[1].object_from_local = Transform::scaling({0.3, 1.0, 0.3});
+    data.components[2].object_from_local = Transform::scaling({0.2, 0.2, 1.0});
+    EXPECT_NEAR(Blob(data).extent({1, 0, 0}).hi, std::sqrt(1.0 - 0.6), 1e-6);
+    EXPECT_LT(Blob(data).extent({1, 0, 0}).hi, 0.8 * Blob(data).bounds().hi.x);
+}
+
 }  // namespace
 }  // namespace rb

@@ -194,6 +194,50 @@ TEST(Csg, NoTreeNoDifference) {
     }
 }
 
+// Turned solids that planes cut: slabs along the planes and tight boxes leave rays out, and no hit changes.
+TEST(Csg, SlabsLeaveNothingOut) {
+    const char* const statements[] = {
+        "difference{blob{threshold 0.6 sphere{0,1,1} sphere{0,1,1 scale <0.3,1.2,1.05>} "
+        "cylinder{-x,y,0.4,-1}}"
+        " plane{y,0} plane{z,0 inverse} plane{x,-0.1 inverse}}",
+        "intersection{blob{threshold 0.3 sphere{x/3,1,1} sphere{-x/3,1,0.8}} plane{x,0.3} "
+        "clipped_by{plane{y,0.2}}}",
+        "difference{union{sphere{0,1} box{<0,0,-1.2>,<1,1,1.2>}} plane{<1,2,0.5>,0} torus{0.8,0.2}}",
+        "intersection{plane{y,0.5} plane{-y,0.5} box{<-1,-1,-1>,<1,1,1>} merge{cone{-x,1,x,0.2} "
+        "sphere{0,0.7}}}",
+        "object{sphere{0,1 scale <2,0.5,1>} clipped_by{plane{z,0.1}}}",
+        "blob{threshold 0.6 sphere{0,1,1} sphere{0.1,1,1 scale <0.3,0.45,0.8>} sphere{y,0.8,-1}}"};
+    Dice dice(23);
+    std::vector<ObjectPtr> objects;
+    for (int i = 0; i < 90; ++i) {
+        auto object = std::make_shared<Object>(*object_from(statements[i % 6]));
+        const Transform turned = i < 6 ? Transform{} : Transform::rotation_deg(180.0 * dice.point(1.0));
+        transform_object(*object, then(then(turned, Transform::scaling(Vec3{0.4})),
+                                       Transform::translation(i % 5 == 0 ? Vec3{0.0} : dice.point(2))));
+        objects.push_back(object);
+    }
+    const World tree = compiled(objects);
+    const World brute = compiled(objects, true);
+    int hits = 0;
+    for (int i = 0; i < 20000; ++i) {
+        RayQuery query;
+        query.ray.direction = dice.direction();
+        query.ray.origin = i % 4 == 0 ? dice.point(2) : dice.point(2) - 4.0 * query.ray.direction;
+        if (i % 7 == 0) query.ray.direction = Vec3{0, i % 2 ? 1.0 : -1.0, 0};
+        Hit a, b;
+        const bool found = tree.geometry->closest(query, a);
+        ASSERT_EQ(found, brute.geometry->closest(query, b));
+        query.mask = blocks_light;
+        uint32_t blocker = no_leaf;
+        ASSERT_EQ(tree.geometry->occluded(query, blocker), found);
+        if (!found) continue;
+        ++hits;
+        ASSERT_EQ(a.t, b.t);
+        ASSERT_EQ(a.leaf, b.leaf);
+    }
+    EXPECT_GT(hits, 5000);
+}
+
 TEST(Csg, DeclaredCopiesShareTheirLook) {
     std::vector<ObjectPtr> objects;
     const ObjectPtr ball = object_from("sphere{0,1}");

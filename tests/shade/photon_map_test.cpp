@@ -58,6 +58,28 @@ TEST(PhotonMap, FindsWhatLookingAtEachFinds) {
     }
 }
 
+// A smaller radius that holds as many finds the same ones in the same order, so that sums are the same bits.
+TEST(PhotonMap, KnownReachesChangeNothing) {
+    const PhotonMap map(clusters(5000));
+    KnownReaches known;
+    std::vector<FoundPhoton> quick(30);
+    std::vector<FoundPhoton> slow(30);
+    Vec3 place{0.5};
+    int shorter = 0;
+    for (uint64_t i = 0; i < 2000; ++i) {
+        place += 0.01 * Vec3{draw(i, 1) - 0.5, draw(i, 2) - 0.5, draw(i, 3) - 0.5};
+        const double radius = 10.0 * draw(i, 4);
+        const double reach = known.at(place);
+        shorter += reach < radius ? 1 : 0;
+        const size_t count = map.find({place}, radius, slow);
+        ASSERT_EQ(map.find({place}, std::min(radius, reach), quick), count);
+        ASSERT_TRUE(
+            std::equal(quick.begin(), quick.begin() + static_cast<std::ptrdiff_t>(count), slow.begin()));
+        if (count == slow.size()) known.add(place, std::sqrt(std::ranges::max(slow).square));
+    }
+    EXPECT_GT(shorter, 1000);
+}
+
 TEST(PhotonMap, KeepsEveryPhoton) {
     const std::vector<Photon> photons = clusters(3000);
     const PhotonMap map(photons);
