@@ -2,6 +2,8 @@
 #include "math/vec.h"
 
 #include <complex>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec4.hpp>
@@ -50,6 +52,9 @@ struct JuliaFormula {
     /// The number of the first test in which q escapes; `steps` if in none.
     size_t escape_step(Quaternion q) const;
     bool stays(const Quaternion& q) const { return escape_step(q) == steps; }
+    /// The same of several places at once, for squares and cubes: bit k tells of place number k.
+    static constexpr int places_at_once = 8;
+    uint32_t staying_of(std::span<const Quaternion, places_at_once> places) const;
     /// What test number `step` compares with 0: above, q has escaped.
     double excess(Quaternion q, size_t step) const;
 

@@ -1,6 +1,8 @@
 // Sweeps, parametric surfaces and fractals: values measured with the reference program, and what it gets
 // wrong.
+#include "shapes/julia_orbit.h"
 #include "tests/geometry/probe.h"
+#include "tests/geometry/shape_cases.h"
 
 namespace rb {
 namespace {
@@ -123,6 +125,33 @@ TEST(JuliaFractal, Refusals) {
     EXPECT_THROW(object_from("julia_fractal{<.1,.2,.3,.4> slice <1,0,0,0>, 1}"), SceneError);
     EXPECT_THROW(object_from("julia_fractal{<.1,.2,.3,.4> max_iteration 1e9}"), SceneError);
     EXPECT_NO_THROW(object_from("julia_fractal{<.1,.2,.3> hypercomplex pwr(2,3)}"));
+}
+
+TEST(JuliaOrbit, PlacesAtOnceDoAsEachAlone) {
+    Dice dice(5);
+    const auto quaternion = [&](double size) {
+        return Quaternion{dice.between(-size, size), dice.between(-size, size), dice.between(-size, size),
+                          dice.between(-size, size)};
+    };
+    JuliaFormula formula;
+    uint32_t staying_any = 0;
+    for (const auto algebra : {JuliaAlgebra::quaternion, JuliaAlgebra::hypercomplex}) {
+        for (const auto function : {JuliaFunction::sqr, JuliaFunction::cube}) {
+            formula.algebra = algebra;
+            formula.function = function;
+            for (size_t i = 0; i < 10 * RB_TEST_SAMPLES; ++i) {
+                formula.c = quaternion(0.6);
+                formula.steps = 1 + i % 25;
+                std::array<Quaternion, JuliaFormula::places_at_once> places;
+                for (Quaternion& q : places) q = quaternion(1.0);
+                const uint32_t staying = formula.staying_of(places);
+                staying_any |= staying;
+                for (size_t k = 0; k < places.size(); ++k)
+                    EXPECT_EQ((staying >> k & 1) != 0, formula.stays(places[k]));
+            }
+        }
+    }
+    EXPECT_NE(staying_any, 0u);
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ struct Find {
     std::string_view solid;
     Ray ray;
 };
-constexpr std::array<Find, 13> finds{{
+constexpr std::array<Find, 14> finds{{
     // A root next to the end of a piece.
     {"lathe_4",
      {{1.8891655591404368, 0.11969064497713161, 3.8889636569248918},
@@ -271,6 +271,10 @@ constexpr std::array<Find, 13> finds{{
     {"sphere_sweep_2",
      {{3.0340323231119064, -3.3465423306155087, -0.051051975916580228},
       {-0.61780122561705064, 0.78623591690989192, 0.012438994610969711}}},
+    // Through a channel thinner than a step.
+    {"julia_fractal",
+     {{-3.336114830277753, 1.6077317859192188, 1.0183116576652416},
+      {0.96266975112421549, -0.26494612714854826, -0.05541209235741066}}},
 }};
 
 void once_lost(const std::vector<Solid>& solids, Table& table) {
