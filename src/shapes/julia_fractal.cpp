@@ -82,9 +82,7 @@ public:
 
 private:
     /// Where many are taken at once they may be smaller.
-    static double steps_per_precision(const JuliaFormula& formula) {
-        return formula.has_reach() ? 8.0 : 4.0;
-    }
+    static double steps_per_precision(const JuliaFormula& formula) { return formula.has_reach() ? 8.0 : 4.0; }
 
     /// A fractal has none.
     std::optional<Slopes> slopes(const Bounds&) const override { return std::nullopt; }
