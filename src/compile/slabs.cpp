@@ -16,6 +16,10 @@ bool are_parallel(const Vec3& a, const Vec3& b) { return std::abs(glm::dot(a, b)
 /// A box does as well.
 bool is_along_axis(const Vec3& normal) { return largest_magnitude(normal) > 1.0 - 1e-12; }
 
+/// What slabs and boxes are widened by, as a share of the coordinates: more than rounding moves crossings,
+/// and than solids forgive them.
+constexpr double slack = 1e-7;
+
 /// The plane that a node is.
 bool plane_of(const SolidForest& solids, uint32_t node, Vec3& normal, double& distance) {
     const SolidNode& n = solids.nodes[node];
@@ -56,8 +60,11 @@ Extent extent_of(const SolidForest& solids, uint32_t index, const Vec3& normal) 
     if (plane_of(solids, index, own_normal, distance)) {
         if (!are_parallel(own_normal, normal)) return {};
         Extent half;
-        (glm::dot(own_normal, normal) > 0.0 ? half.hi : half.lo) =
-            distance * std::copysign(1.0, glm::dot(own_normal, normal));
+        if (glm::dot(own_normal, normal) > 0.0) {
+            half.hi = distance;
+        } else {
+            half.lo = -distance;
+        }
         return half;
     }
     if (node.kind == SolidNode::Kind::shape) {
@@ -82,7 +89,7 @@ Extent extent_of_surface(const SolidForest& solids, uint32_t node, const Vec3& n
         return extent_of(solids.shapes[solids.nodes[node].placed], normal);
     }
     if (!are_parallel(own_normal, normal)) return {};
-    const double at = distance * std::copysign(1.0, glm::dot(own_normal, normal));
+    const double at = glm::dot(own_normal, normal) > 0.0 ? distance : -distance;
     return {at, at};
 }
 
@@ -124,8 +131,6 @@ double size_of(const Bounds& box) { return std::max(largest_magnitude(box.lo), l
 }  // namespace
 
 void Slabs::add(const Vec3& normal, const Extent& extent, double size) {
-    // More than rounding moves crossings, and than solids forgive them.
-    constexpr double slack = 1e-7;
     const double margin = slack * size;
     slabs_[count_++] = {normal, {extent.lo - margin, extent.hi + margin}};
 }
@@ -182,7 +187,6 @@ Bounds tight_box(const FlatGeometry& flat, uint32_t index) {
                                     solids.shapes[node.placed].shape->has_tight_extent());
     });
     if (!knows_more) return *box;
-    constexpr double slack = 1e-7;
     const double margin = slack * size_of(*box);
     Bounds tight = *box;
     for (int axis = 0; axis < 3; ++axis) {

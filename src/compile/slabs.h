@@ -14,7 +14,6 @@ public:
     static constexpr size_t most = 3;
 
     bool empty() const { return count_ == 0; }
-    size_t size() const { return count_; }
     /// The points p with dot(normal, p) within `extent`. `size`: of the coordinates that they have.
     void add(const Vec3& normal, const Extent& extent, double size);
     /// True if no point of the ray between `t_min` and `t_max` lies in all of them.

@@ -26,7 +26,6 @@ inline bool is_odd(double whole) {
 }
 /// floor, but one less on negative whole numbers.
 inline double floor_below(double v) { return v >= 0.0 ? std::floor(v) : -std::floor(-v) - 1.0; }
-inline double cycloidal(double v) { return std::sin(2.0 * pi * v); }
 inline double triangle(double v) { return 1.0 - std::abs(2.0 * fraction(v) - 1.0); }
 /// Angle from +x towards +z, in [0, 2 pi).
 inline double turn(double x, double z) {

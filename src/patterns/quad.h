@@ -54,10 +54,14 @@ struct LanePoint {
 using QuadPoint = LanePoint<Quads>;
 using OctPoint = LanePoint<Octs>;
 
-RB_INLINE void load(const double* from, Quad& out) { std::memcpy(&out, from, sizeof out); }
-RB_INLINE void store(const Quad& from, double* out) { std::memcpy(out, &from, sizeof from); }
-RB_INLINE void load(const double* from, Oct& out) { std::memcpy(&out, from, sizeof out); }
-RB_INLINE void store(const Oct& from, double* out) { std::memcpy(out, &from, sizeof from); }
+template <class Numbers>
+RB_INLINE void load(const double* from, Numbers& out) {
+    std::memcpy(&out, from, sizeof out);
+}
+template <class Numbers>
+RB_INLINE void store(const Numbers& from, double* out) {
+    std::memcpy(out, &from, sizeof from);
+}
 RB_INLINE void spread(double from, Quad& out) { out = Quad{from, from, from, from}; }
 
 /// The four points from `from` on.

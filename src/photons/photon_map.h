@@ -35,9 +35,6 @@ struct FoundPhoton {
     uint32_t index = 0;
 
     friend auto operator<=>(const FoundPhoton&, const FoundPhoton&) = default;
-    friend bool operator<(const FoundPhoton& a, const FoundPhoton& b) {
-        return a.square < b.square || (a.square == b.square && a.index < b.index);
-    }
 };
 
 /// Photons in a balanced kd-tree without pointers (Bentley 1975): sorted so that the halves of each range lie

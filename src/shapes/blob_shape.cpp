@@ -1,7 +1,7 @@
 #include "math/roots.h"
 #include "shapes/blob.h"
-#include "shapes/implicit_mesh.h"
 #include "shapes/ray_shape.h"
+#include "shapes/solid_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -201,26 +201,26 @@ double squared_stretch(const Affine& map) {
     return most;
 }
 
-/// The blob's function for its mesh: threshold minus field, so that it grows outward.
-class BlobFunction final : public ImplicitFunction {
+/// The blob for its mesh; the function is threshold minus field, so that it grows outward.
+class BlobSolid final : public PointSolid {
 public:
-    BlobFunction(const Blob& blob, const BlobData& data) : blob_(blob), data_(data) {
+    BlobSolid(const Blob& blob, const BlobData& data) : blob_(blob), data_(data) {
         for (const BlobComponent& c : data.components) {
             boxes_.push_back(c.box(1.0));
             stretches_.push_back(squared_stretch(c.object_from_local.backward));
         }
     }
-    double value(const Vec3& p) const override { return data_.threshold - blob_.field(p); }
-    Vec3 gradient(const Vec3& p) const override { return blob_.slope(p); }
-    double bend(const Bounds& box) const override {
-        double sum = 0.0;
+    bool inside(const Vec3& p) const override { return blob_.inside(p); }
+    std::optional<GradientBound> slopes(const Bounds& region) const override {
+        double bend_of_all = 0.0;
         for (size_t i = 0; i < boxes_.size(); ++i) {
-            if (!intersection(box, boxes_[i]).is_empty()) sum += bend(i, box);
+            if (!intersection(region, boxes_[i]).is_empty()) bend_of_all += bend(i, region);
         }
-        return sum;
+        return GradientBound{blob_.slope(region.center()), 0.5 * glm::length(region.size()) * bend_of_all};
     }
 
 private:
+    /// How fast a component's gradient may change anywhere in the box (a Lipschitz constant).
     /// The second derivatives of S (1 - r^2)^2 are S (12 r^2 - 4) outward and 4 S (r^2 - 1) across.
     double bend(size_t i, const Bounds& box) const {
         const BlobComponent& c = data_.components[i];
@@ -478,7 +478,7 @@ void Blob::textures_at(const Vec3& p, const Crossing&, std::vector<TextureWeight
 
 std::optional<TriangleMesh> Blob::tessellate(double tolerance) const {
     if (!(data_.threshold > 0.0)) return std::nullopt;
-    return implicit_mesh(BlobFunction(*this, data_), box_, tolerance);
+    return solid_mesh(BlobSolid(*this, data_), box_, tolerance);
 }
 
 std::string Blob::describe() const {

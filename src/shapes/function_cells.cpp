@@ -105,13 +105,17 @@ Bounds FunctionCells::hull(bool with_above, bool with_below) const {
     return {box_.lo + step_ * Vec3(lo), glm::min(box_.lo + step_ * Vec3(hi), box_.hi)};
 }
 
+std::array<IntervalSlope, 3> FunctionCells::along(int axis, const Bounds& box) {
+    std::array<IntervalSlope, 3> place;
+    for (int i = 0; i < 3; ++i)
+        place[static_cast<size_t>(i)] = {{box.lo[i], box.hi[i]}, Interval(i == axis ? 1.0 : 0.0)};
+    return place;
+}
+
 void FunctionCells::find(size_t cell, const Bound& bound, Cell& detail) const {
     const Bounds b = widened_cube(place_of(cell), 1);
     for (int axis = 0; axis < 3; ++axis) {
-        std::array<IntervalSlope, 3> place;
-        for (int i = 0; i < 3; ++i)
-            place[static_cast<size_t>(i)] = {{b.lo[i], b.hi[i]}, Interval(i == axis ? 1.0 : 0.0)};
-        const IntervalSlope v = bound(place);
+        const IntervalSlope v = bound(along(axis, b));
         const Interval s = v.slope.maybe_nan ? Interval::everything() : v.slope;
         constexpr float inf = std::numeric_limits<float>::infinity();
         const auto lo = std::nextafter(static_cast<float>(s.lo), -inf);

@@ -50,6 +50,9 @@ public:
         return content(detail, direction);
     }
 
+    /// The places of a box, as seen by one who moves along an axis.
+    static std::array<IntervalSlope, 3> along(int axis, const Bounds& box);
+
     static constexpr int side = 16;
     static constexpr double cell_share = 1.0 / side;  ///< of the box, along each axis
 

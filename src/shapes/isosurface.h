@@ -62,8 +62,8 @@ private:
     /// there.
     bool is_jump(double value, double error) const;
     Vec3 gradient(const Vec3& p) const;
-    std::optional<Slopes> slopes(const Bounds& region) const override;
-    std::optional<Slopes> container_slopes(const Bounds& region) const;
+    std::optional<GradientBound> slopes(const Bounds& region) const override;
+    std::optional<GradientBound> container_slopes(const Bounds& region) const;
     FunctionCells::Content content_of(size_t cell, const Vec3& direction) const;
     double side_distance(const Vec3& p, uint32_t& part) const;
     template <class Take>

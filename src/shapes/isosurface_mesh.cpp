@@ -5,13 +5,13 @@
 namespace rb {
 
 /// Of the one side of the container that the region meets; empty if it meets several.
-std::optional<PointSolid::Slopes> Isosurface::container_slopes(const Bounds& region) const {
-    Slopes slopes;
+std::optional<GradientBound> Isosurface::container_slopes(const Bounds& region) const {
+    std::array<Interval, 3> slopes;
     if (data_.radius) {
         const Vec3 center = data_.box.center();
         for (int i = 0; i < 3; ++i)
             slopes[static_cast<size_t>(i)] = {region.lo[i] - center[i], region.hi[i] - center[i]};
-        return slopes;
+        return GradientBound::of(slopes);
     }
     int sides = 0;
     for (int i = 0; i < 3; ++i) {
@@ -21,10 +21,10 @@ std::optional<PointSolid::Slopes> Isosurface::container_slopes(const Bounds& reg
         if (meets_low || meets_high) slopes[static_cast<size_t>(i)] = meets_low ? -1.0 : 1.0;
     }
     if (sides != 1) return std::nullopt;
-    return slopes;
+    return GradientBound::of(slopes);
 }
 
-std::optional<PointSolid::Slopes> Isosurface::slopes(const Bounds& region) const {
+std::optional<GradientBound> Isosurface::slopes(const Bounds& region) const {
     const auto farthest = [&] {
         const Vec3 center = data_.box.center();
         return glm::length(glm::max(glm::abs(region.lo - center), glm::abs(region.hi - center)));
@@ -37,16 +37,12 @@ std::optional<PointSolid::Slopes> Isosurface::slopes(const Bounds& region) const
         if (!value.maybe_nan && value.hi < 0.0) return container_slopes(region);
         return std::nullopt;
     }
-    Slopes slopes;
-    for (size_t axis = 0; axis < 3; ++axis) {
-        std::array<IntervalSlope, 3> place;
-        for (int i = 0; i < 3; ++i) {
-            place[static_cast<size_t>(i)] = {{region.lo[i], region.hi[i]},
-                                             Interval(static_cast<size_t>(i) == axis ? 1.0 : 0.0)};
-        }
-        slopes[axis] = data_.function->bound_slope(place, 0).slope;
+    std::array<Interval, 3> slopes;
+    for (int axis = 0; axis < 3; ++axis) {
+        slopes[static_cast<size_t>(axis)] =
+            data_.function->bound_slope(FunctionCells::along(axis, region), 0).slope;
     }
-    return slopes;
+    return GradientBound::of(slopes);
 }
 
 std::optional<TriangleMesh> Isosurface::tessellate(double tolerance) const {

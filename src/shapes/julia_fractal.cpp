@@ -85,7 +85,7 @@ private:
     static double steps_per_precision(const JuliaFormula& formula) { return formula.has_reach() ? 8.0 : 4.0; }
 
     /// A fractal has none.
-    std::optional<Slopes> slopes(const Bounds&) const override { return std::nullopt; }
+    std::optional<GradientBound> slopes(const Bounds&) const override { return std::nullopt; }
 
     /// Widens the bounds by the cells that may hold a part of the solid.
     void add_cells(const Vec3& middle, double half, int levels) {

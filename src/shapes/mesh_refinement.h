@@ -29,6 +29,17 @@ inline double enclosing_radius(const Vec3& a, const Vec3& b, const Vec3& c) {
     return 0.5 * std::sqrt(is_acute ? sides[0] * sides[1] * sides[2] : sides[2]) / (is_acute ? area : 1.0);
 }
 
+/// The way out at each vertex: the sum over its faces, as long as twice their areas.
+inline std::vector<Vec3> ways_out(const TriangleMesh& mesh) {
+    std::vector<Vec3> outward(mesh.vertices.size(), Vec3{0.0});
+    for (const MeshFace& f : mesh.faces) {
+        const Vec3 a(mesh.vertices[f[0]]);
+        const Vec3 n = glm::cross(Vec3(mesh.vertices[f[2]]) - a, Vec3(mesh.vertices[f[1]]) - a);
+        for (const uint32_t k : f) outward[k] += n;
+    }
+    return outward;
+}
+
 /// Cuts the faces of a mesh at their longest edges until all of them are proven to be near a surface. The
 /// faces on both sides of an edge are cut together, so that a closed mesh stays closed (M.-C. Rivara, New
 /// longest-edge algorithms for the refinement of triangulations, 1997). `Surface` knows the vertices:

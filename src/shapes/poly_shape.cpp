@@ -3,7 +3,6 @@
 #include "math/roots.h"
 #include "shapes/poly_along.h"
 #include "shapes/poly_bounds.h"
-#include "shapes/solid_mesh.h"
 
 #include <algorithm>
 
@@ -119,22 +118,14 @@ Vec3 PolyShape::gradient(const Vec3& p) const {
     return {by_x, by_y, by_z};
 }
 
-class PolyShape::Solid final : public PointSolid {
-public:
-    explicit Solid(const PolyShape& shape) : shape_(shape) {}
-    bool inside(const Vec3& p) const override { return shape_.inside(p); }
-    std::optional<Slopes> slopes(const Bounds& region) const override {
-        const auto along = [&](int i) { return Interval(region.lo[i], region.hi[i]); };
-        return shape_.gradient(along(0), along(1), along(2));
-    }
-
-private:
-    const PolyShape& shape_;
-};
+std::optional<GradientBound> PolyShape::slopes(const Bounds& region) const {
+    const auto along = [&](int i) { return Interval(region.lo[i], region.hi[i]); };
+    return GradientBound::of(gradient(along(0), along(1), along(2)));
+}
 
 std::optional<TriangleMesh> PolyShape::tessellate(double tolerance) const {
     if (!bounds_.is_finite()) return std::nullopt;
-    return solid_mesh(Solid(*this), bounds_, tolerance);
+    return solid_mesh(*this, bounds_, tolerance);
 }
 
 /// The polynomial of t at o + t d, lowest power first.

@@ -2,6 +2,7 @@
 #include "block/reader.h"
 #include "math/roots.h"
 #include "shapes/ray_shape.h"
+#include "shapes/solid_mesh.h"
 
 namespace rb {
 
@@ -11,7 +12,7 @@ size_t poly_size(int order);
 size_t poly_index(int order, int i, int j, int k);
 
 /// Where a polynomial in x, y and z is zero; inside it is below.
-class PolyShape final : public RayShape<PolyShape> {
+class PolyShape final : public RayShape<PolyShape>, private PointSolid {
 public:
     PolyShape(std::string_view keyword, int order, std::vector<double> coefficients);
 
@@ -32,7 +33,6 @@ public:
     }
 
 private:
-    class Solid;
     using Roots = std::array<double, 3 * most_degree>;
     size_t find(const ShapeRay& query, Roots& out) const;
     double value(const Vec3& p) const;
@@ -40,6 +40,7 @@ private:
     template <class T>
     std::array<T, 3> gradient(const T& x, const T& y, const T& z) const;
     Vec3 gradient(const Vec3& p) const;
+    std::optional<GradientBound> slopes(const Bounds& region) const override;
     bool starts_here(const ShapeRay& query) const;
     void along(const Vec3& o, const Vec3& d, std::span<double> out) const;
     void along_sparse(const Vec3& o, const Vec3& d, std::span<double> out) const;

@@ -1,6 +1,6 @@
 #include "shapes/solid_mesh.h"
 
-#include "shapes/implicit_mesh.h"
+#include "shapes/marched_mesh.h"
 #include "shapes/mesh_refinement.h"
 
 #include <algorithm>
@@ -22,12 +22,7 @@ public:
 
     /// Takes a mesh whose vertices are near the surface: within `reach`.
     std::vector<MeshFace> start_with(const TriangleMesh& mesh, double reach) {
-        std::vector<Vec3> outward(mesh.vertices.size(), Vec3{0.0});
-        for (const MeshFace& f : mesh.faces) {
-            const Vec3 a(mesh.vertices[f[0]]);
-            const Vec3 n = glm::cross(Vec3(mesh.vertices[f[2]]) - a, Vec3(mesh.vertices[f[1]]) - a);
-            for (const uint32_t k : f) outward[k] += n;
-        }
+        const std::vector<Vec3> outward = ways_out(mesh);
         for (size_t i = 0; i < outward.size(); ++i) add(Vec3(mesh.vertices[i]), outward[i], reach);
         return mesh.faces;
     }
@@ -50,16 +45,8 @@ public:
         if (radius <= within_) return true;
         const auto slopes = solid_.slopes({region.lo - within_, region.hi + within_});
         if (!slopes) return false;
-        Vec3 gradient{0.0};
-        Vec3 spread{0.0};
-        for (int i = 0; i < 3; ++i) {
-            const Interval& s = (*slopes)[static_cast<size_t>(i)];
-            if (s.maybe_nan || s.has_infinity()) return false;
-            gradient[i] = 0.5 * (s.lo + s.hi);
-            spread[i] = 0.5 * (s.hi - s.lo);
-        }
-        const double steepness = glm::length(gradient);
-        const double e = glm::length(spread);
+        const double steepness = glm::length(slopes->middle);
+        const double e = slopes->spread;
         return e * radius + placing_ * (steepness + e) <= within_ * (steepness - e);
     }
 
@@ -116,6 +103,19 @@ private:
 };
 
 }  // namespace
+
+std::optional<GradientBound> GradientBound::of(const std::array<Interval, 3>& along_axes) {
+    GradientBound bound;
+    Vec3 half{0.0};
+    for (int i = 0; i < 3; ++i) {
+        const Interval& s = along_axes[static_cast<size_t>(i)];
+        if (s.maybe_nan || s.has_infinity()) return std::nullopt;
+        bound.middle[i] = 0.5 * (s.lo + s.hi);
+        half[i] = 0.5 * (s.hi - s.lo);
+    }
+    bound.spread = glm::length(half);
+    return bound;
+}
 
 std::optional<TriangleMesh> solid_mesh(const PointSolid& solid, const Bounds& box, double tolerance) {
     if (box.is_empty()) return TriangleMesh{};

@@ -4,15 +4,23 @@
 
 namespace rb {
 
+/// The gradients of a function within some region: none differs from `middle` by more than `spread`.
+struct GradientBound {
+    Vec3 middle{0.0};
+    double spread = 0;
+
+    /// Empty if an interval has no end.
+    static std::optional<GradientBound> of(const std::array<Interval, 3>& along_axes);
+};
+
 /// A solid that is known by which points belong to it.
 class PointSolid {
 public:
     virtual bool inside(const Vec3& p) const = 0;
 
-    /// Bounds on the gradient of a function whose zeros are all of the surface within `region`; empty where
-    /// there is no such function, or nothing is known of it.
-    using Slopes = std::array<Interval, 3>;
-    virtual std::optional<Slopes> slopes(const Bounds& region) const = 0;
+    /// Of a function whose zeros are all of the surface within `region`; empty where there is no such
+    /// function, or nothing is known of it.
+    virtual std::optional<GradientBound> slopes(const Bounds& region) const = 0;
 
 protected:
     ~PointSolid() = default;

@@ -1,4 +1,4 @@
-#include "shapes/implicit_mesh.h"
+#include "shapes/marched_mesh.h"
 #include "shapes/mesh_refinement.h"
 #include "shapes/sphere_sweep_shape.h"
 
@@ -26,12 +26,7 @@ public:
 
     /// Takes a mesh around the sweep, whose vertices are near the surface.
     std::vector<MeshFace> start_with(const TriangleMesh& mesh) {
-        std::vector<Vec3> outward(mesh.vertices.size(), Vec3{0.0});
-        for (const MeshFace& f : mesh.faces) {
-            const Vec3 a(mesh.vertices[f[0]]);
-            const Vec3 n = glm::cross(Vec3(mesh.vertices[f[2]]) - a, Vec3(mesh.vertices[f[1]]) - a);
-            for (const uint32_t k : f) outward[k] += n;
-        }
+        const std::vector<Vec3> outward = ways_out(mesh);
         for (size_t i = 0; i < outward.size(); ++i)
             add(onto_balls(Vec3(mesh.vertices[i])), glm::normalize(outward[i]));
         return mesh.faces;

@@ -191,7 +191,7 @@ bool SphereSweep::any(const ShapeRay& ray, const CrossingFilter* filter, Crossin
         return found.t > ray.t_min && found.t <= ray.t_max;
     };
     const double through = start ? way_through(*start, frame) : 0.0;
-    const bool enters = through > 0.0 && !is_rounding({0.0, through, 0, 0, 0.0, 0.0}, *start, false, ray);
+    const bool enters = through > 0.0 && !is_rounding(Way{.out = through}, *start, false, ray);
     if (enters && take(through, start->piece, start->w)) return true;
     const SweepQuestion question{frame, start.has_value(), start ? start->level : 0.0};
     const auto is_hit_by = [&](const Way& way) {

@@ -133,9 +133,6 @@ private:
                 const Slopes slopes = shape_.slopes(o + t * d);
                 value_ = slopes.value - level_;
                 slope_ = glm::dot(d, slopes.gradient);
-                rounding_ =
-                    4.0 * std::numeric_limits<double>::epsilon() *
-                    (1.0 + glm::dot(glm::abs(slopes.gradient), glm::abs(o) + std::abs(t) * glm::abs(d)));
                 at_ = t;
             }
             return value_;
@@ -146,7 +143,12 @@ private:
             return slope_;
         }
         /// Whether the value's sign is more than rounding makes it.
-        bool is_told(double t) const { return std::abs(value(t)) > rounding_; }
+        bool is_told(double t) const {
+            const Vec3 moves = glm::abs(o) + std::abs(t) * glm::abs(d);
+            const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
+                                    (1.0 + glm::dot(glm::abs(shape_.slopes(o + t * d).gradient), moves));
+            return std::abs(value(t)) > rounding;
+        }
         /// Within one octant.
         IntervalSlope bound(double from, double to) const {
             std::array<IntervalSlope, 3> size;
@@ -170,7 +172,6 @@ private:
         mutable double at_ = std::numeric_limits<double>::quiet_NaN();
         mutable double value_ = 0.0;
         mutable double slope_ = 0.0;
-        mutable double rounding_ = 0.0;
     };
 
     bool starts_here(const ShapeRay& query, const Vec3& o) const {

@@ -1,4 +1,4 @@
-#include "shapes/implicit_mesh.h"
+#include "shapes/marched_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,69 +122,10 @@ private:
     TriangleMesh mesh_;
 };
 
-/// Bound on the distance of a facet's points to the surface; infinite if it is not proven to be below
-/// `reach`. On the facet f is at most its largest corner value plus bend l^2 / 6 (linear interpolation over a
-/// triangle with sides up to l); along the gradient g it changes by s g - bend s^2 / 2 at least within s.
-double facet_error(const ImplicitFunction& f, const std::array<Vec3, 3>& p, double reach) {
-    Bounds box;
-    double value = 0.0;
-    double slope = std::numeric_limits<double>::infinity();
-    for (const Vec3& v : p) {
-        box.include(v);
-        value = std::max(value, std::abs(f.value(v)));
-        slope = std::min(slope, glm::length(f.gradient(v)));
-    }
-    const double l = std::max({glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
-    const double bend = f.bend({box.lo - reach, box.hi + reach});
-    value += bend * l * l / 6.0;
-    slope -= bend * l / std::sqrt(3.0);
-    if (!(slope > 0.0)) return std::numeric_limits<double>::infinity();
-    const double room = slope * slope - 2.0 * bend * value;
-    if (!(room > 0.0)) return std::numeric_limits<double>::infinity();
-    const double s = 2.0 * value / (slope + std::sqrt(room));
-    return s <= reach ? s : std::numeric_limits<double>::infinity();
-}
-
-/// The same, by looking at ever smaller parts of the facet until they are proven to be within `tolerance`.
-double facet_error(const ImplicitFunction& f, const std::array<Vec3, 3>& p, double tolerance, int levels) {
-    const double error = facet_error(f, p, tolerance);
-    if (error <= tolerance || levels == 0) return error;
-    const Vec3 ab = 0.5 * (p[0] + p[1]);
-    const Vec3 bc = 0.5 * (p[1] + p[2]);
-    const Vec3 ca = 0.5 * (p[2] + p[0]);
-    double worst = 0.0;
-    for (const std::array<Vec3, 3>& part : {std::array{ab, bc, ca}, std::array{p[0], ab, ca},
-                                            std::array{ab, p[1], bc}, std::array{ca, bc, p[2]}}) {
-        worst = std::max(worst, facet_error(f, part, tolerance, levels - 1));
-        if (worst > tolerance) break;
-    }
-    return worst;
-}
-
 }  // namespace
 
 TriangleMesh marched_mesh(const std::function<double(const Vec3&)>& value, const Bounds& box, double cell) {
     return Marching(value, box, cell).run();
-}
-
-std::optional<TriangleMesh> implicit_mesh(const ImplicitFunction& f, const Bounds& box, double tolerance) {
-    if (box.is_empty()) return TriangleMesh{};
-    const double size = std::max({box.size().x, box.size().y, box.size().z});
-    constexpr int coarsest = 16;
-    constexpr int finest = 256;
-    constexpr int splits = 5;
-    for (int cells = coarsest; cells <= finest; cells = cells * 3 / 2) {
-        TriangleMesh mesh = marched_mesh([&](const Vec3& p) { return f.value(p); }, box, size / cells);
-        double worst = 0.0;
-        for (const auto& face : mesh.faces) {
-            const auto corner = [&](size_t k) { return Vec3(mesh.vertices[face[k]]); };
-            worst = std::max(worst, facet_error(f, {corner(0), corner(1), corner(2)}, tolerance, splits));
-            if (worst > tolerance) break;
-        }
-        mesh.error = worst;
-        if (worst <= tolerance) return mesh;
-    }
-    return std::nullopt;
 }
 
 }  // namespace rb
