@@ -1,6 +1,6 @@
 #include "app/geometry_oracle.h"
 
-#include "patterns/made_patterns.h"
+#include "patterns/object_pattern.h"
 
 namespace rb {
 

@@ -1,5 +1,6 @@
 // Functions as patterns, and patterns, pigments and transforms as functions.
 #include "language/read_pattern.h"
+#include "patterns/line_bound.h"
 #include "patterns/pattern_field.h"
 #include "patterns/pigment_program.h"
 
@@ -35,6 +36,10 @@ public:
         function_->evaluate_rows({arguments.data(), static_cast<size_t>(function_->parameter_count())},
                                  values);
     }
+    IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
+        return function_->bound_slope(
+            std::span(place).first(static_cast<size_t>(function_->parameter_count())), 0);
+    }
 
 private:
     FunctionPtr function_;
@@ -63,6 +68,8 @@ std::vector<Vec3> points_of(std::span<const double* const> coordinates, size_t c
     return points;
 }
 
+LinePlace standing(std::span<const Interval> a) { return {{{a[0], 0.0}, {a[1], 0.0}, {a[2], 0.0}}}; }
+
 class PatternFunction final : public Function {
 public:
     PatternFunction(PatternPtr pattern, const PatternModifiers& modifiers, const GlobalSettings& settings)
@@ -78,6 +85,12 @@ public:
         std::vector<Vec3> points = points_of(arguments, results.size());
         field_.carry(points);
         field_.values({points}, results);
+    }
+    Interval bound(std::span<const Interval> a, int) const override {
+        return field_.bound(standing(a)).value;
+    }
+    IntervalSlope bound_slope(std::span<const IntervalSlope> a, int) const override {
+        return field_.bound({a[0], a[1], a[2]});
     }
 
 private:
@@ -103,6 +116,12 @@ public:
         program_.evaluate({points}, colors);
         for (size_t i = 0; i < colors.size(); ++i) write(colors[i], results.subspan(5 * i, 5));
     }
+    Interval bound(std::span<const Interval> a, int component) const override {
+        return program_.bound(standing(a), component).value;
+    }
+    IntervalSlope bound_slope(std::span<const IntervalSlope> a, int component) const override {
+        return program_.bound({a[0], a[1], a[2]}, component);
+    }
 
 private:
     /// As many of its terms as there is room for.
@@ -122,6 +141,12 @@ public:
     void evaluate(std::span<const double> a, std::span<double> result) const override {
         const Vec3 p = map_.point({a[0], a[1], a[2]});
         for (size_t i = 0; i < 3 && i < result.size(); ++i) result[i] = p[static_cast<int>(i)];
+    }
+    Interval bound(std::span<const Interval> a, int component) const override {
+        return carried(standing(a), map_.forward)[static_cast<size_t>(component)].value;
+    }
+    IntervalSlope bound_slope(std::span<const IntervalSlope> a, int component) const override {
+        return carried({a[0], a[1], a[2]}, map_.forward)[static_cast<size_t>(component)];
     }
 
 private:

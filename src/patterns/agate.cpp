@@ -1,5 +1,6 @@
 // agate (manual 3.4.7.1): bands along z, disturbed by turbulence of the point.
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise.h"
 #include "patterns/sine.h"
 
@@ -25,6 +26,9 @@ public:
             const double band = 0.5 * (values[i] + 1.0);
             values[i] = band < 0.0 ? 0.0 : std::pow(std::min(1.0, band), 0.77);
         }
+    }
+    IntervalSlope bound(const PatternContext&, const LinePlace&) const override {
+        return somewhere_in(0.0, 1.0);
     }
 };
 

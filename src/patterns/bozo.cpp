@@ -1,5 +1,6 @@
 // bozo, spotted (manual 3.4.7.1.1, 3.4.7.1.35): plain noise.
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise.h"
 
 namespace rb {
@@ -13,6 +14,9 @@ public:
     void evaluate(const PatternContext& context, std::span<const Vec3> points,
                   std::span<double> values) const override {
         noise(points, 1.0, context.noise_generator, values);
+    }
+    IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
+        return bound_noise(place, context.noise_generator);
     }
 
 private:

@@ -1,5 +1,6 @@
 // brick COLOR, COLOR [brick_size <v>] [mortar f] (manual 3.4.7.1.6): mortar is the first of the list.
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise.h"
 #include "patterns/quad.h"
 
@@ -50,6 +51,27 @@ public:
     void evaluate(const PatternContext&, std::span<const Vec3> points,
                   std::span<double> values) const override {
         brick_values(courses_, points, values);
+    }
+    IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
+        const auto counted = [&](int axis) {
+            return (place[static_cast<size_t>(axis)].value + tiny + courses_.joint) / courses_.size[axis];
+        };
+        // The share of a brick between two of a point's coordinates, and whether it is in the joint.
+        const auto share = [](const Interval& v) { return fraction({v, 0.0}).value; };
+        const auto all_joint = [&](const Interval& v, int axis) {
+            return share(v).hi <= courses_.share[axis];
+        };
+        const auto no_joint = [&](const Interval& v, int axis) { return share(v).lo > courses_.share[axis]; };
+        const Interval y = counted(1);
+        if (all_joint(y, 1)) return 0.0;
+        const Interval course = share(0.5 * y);
+        const bool is_first = course.hi <= 0.5;
+        if (!is_first && !(course.lo > 0.5)) return somewhere_in(0.0, 1.0);
+        const Interval x = counted(0) + (is_first ? 0.0 : 0.5);
+        const Interval z = counted(2) + (is_first ? 0.5 : 0.0);
+        if (all_joint(x, 0) || all_joint(z, 2)) return 0.0;
+        if (no_joint(x, 0) && no_joint(y, 1) && no_joint(z, 2)) return 1.0;
+        return somewhere_in(0.0, 1.0);
     }
 
     const Vec3 size;

@@ -1,6 +1,7 @@
 // crackle [form <v>] [metric f] [offset f] [solid] (manual 3.4.7.1.11; Worley, "A Cellular Texture Basis
 // Function"): distances to the nearest random points.
 #include "patterns/feature_points.h"
+#include "patterns/line_bound.h"
 #include "patterns/quad.h"
 
 #include <algorithm>
@@ -78,6 +79,9 @@ public:
             values[i] =
                 clamp01(shape.solid ? noise(nearest.point, context.noise_generator) : combined(nearest));
         }
+    }
+    IntervalSlope bound(const PatternContext&, const LinePlace&) const override {
+        return somewhere_in(0.0, 1.0);
     }
 
     const CrackleShape shape;

@@ -1,5 +1,6 @@
 // density_file df3 "name" [interpolate n] (manual 3.4.7.1.11): samples on a grid that fills the unit cube.
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 
 #include <array>
 
@@ -89,6 +90,10 @@ public:
         if (interpolation == GridInterpolation::none)
             return grid.sample(cell.index[0], cell.index[1], cell.index[2]);
         return interpolation == GridInterpolation::linear ? linear(cell) : cubic(cell);
+    }
+
+    IntervalSlope bound(const PatternContext&, const LinePlace&) const override {
+        return interpolation == GridInterpolation::cubic ? any_number() : somewhere_in(0.0, 1.0);
     }
 
     const DensityGrid grid;

@@ -1,6 +1,7 @@
 // dents (manual 3.4.7.1.13): noise cubed.
 #include "base/scratch.h"
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise.h"
 
 namespace rb {
@@ -14,6 +15,9 @@ public:
                   std::span<double> values) const override {
         noise(points, 1.0, context.noise_generator, values);
         for (double& v : values) v = v * v * v;
+    }
+    IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
+        return cube(bound_noise(place, context.noise_generator));
     }
     bool perturb(const PatternContext& context, float amount, std::span<const Vec3> points,
                  std::span<Vec3> normals) const override {

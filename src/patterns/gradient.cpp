@@ -1,5 +1,6 @@
 // gradient <v> (manual 3.4.7.1.17): distance along a direction.
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 
 namespace rb {
 
@@ -18,6 +19,12 @@ public:
     double value(const Vec3& p) const {
         const double d = glm::dot(p, axis_);
         return d > 1.0 ? std::fmod(d, 1.0) : d;
+    }
+    IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
+        const IntervalSlope d = place[0] * axis_.x + place[1] * axis_.y + place[2] * axis_.z;
+        if (d.value.hi <= 1.0) return d;
+        if (d.value.lo > 1.0) return fmod(d, 1.0);
+        return IntervalSlope::jumping({std::min(d.value.lo, 0.0), 1.0});
     }
 
 private:

@@ -1,5 +1,6 @@
 // granite (manual 3.4.7.1.18): six octaves of noise folded at one half.
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise_lanes.h"
 
 namespace rb {
@@ -31,6 +32,12 @@ public:
     void evaluate(const PatternContext& context, std::span<const Vec3> points,
                   std::span<double> values) const override {
         granite_values(points, context.noise_generator, values);
+    }
+    IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
+        const int generator = context.noise_generator;
+        return bound_octaves(place, Octaves::doubling(6, 4.0), generator, [&](const IntervalSlope& value) {
+            return generator == 1 ? abs(0.5 - value) : min(abs(1.0 - 2.0 * value), IntervalSlope(0.5));
+        });
     }
 };
 

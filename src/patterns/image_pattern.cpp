@@ -1,6 +1,7 @@
 // image_pattern (manual 3.4.7.1.16): the grey of a picture, or what its alpha lets through.
 #include "patterns/formula.h"
 #include "patterns/image_field.h"
+#include "patterns/line_bound.h"
 
 namespace rb {
 
@@ -16,6 +17,9 @@ public:
         const Color color = field_.color(*place);
         if (!field_.options().use_alpha) return clamp01(static_cast<double>(grey(color.rgb())));
         return clamp01(static_cast<double>(field_.texels().has_alpha() ? color.transmit : color.red));
+    }
+    IntervalSlope bound(const PatternContext&, const LinePlace&) const override {
+        return somewhere_in(0.0, 1.0);
     }
 
 private:

@@ -1,9 +1,11 @@
 // hexagon, square, triangular (lists in the xz plane) and cubic (a list by the six faces of a cube); manual
 // 3.4.7.1.
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise.h"
 #include "patterns/quad.h"
 
+#include <algorithm>
 #include <array>
 
 namespace rb {
@@ -20,27 +22,38 @@ RB_INLINE double hexagon_kind(double index) {
     return kind < 0.0 ? kind + 3.0 : kind;
 }
 
-RB_FOR_EACH_TARGET void hexagon_values(std::span<const Vec3> points, std::span<double> values) {
-    for (size_t k = 0; k < points.size(); ++k) {
-        const Vec3& p = points[k];
-        // Centres at (1.5 i, root3 (j + i/2)); the nearest is among those of the two nearest columns.
-        const double column = std::floor(p.x / 1.5);
-        double best = 1e300;
-        double best_z = 0;
-        double index = 0;
-        for (const double i : {column, column + 1.0}) {
-            const double dx = p.x - 1.5 * i;
-            const double below = std::floor(p.z / root3 - 0.5 * i);
-            for (const double j : {below, below + 1.0}) {
-                const double z = root3 * (j + 0.5 * i);
-                const double d = dx * dx + (p.z - z) * (p.z - z);
-                const bool nearer = (d < best - 1e-9) | ((d < best + 1e-9) & (z > best_z));
-                best = nearer ? d : best;
-                best_z = nearer ? z : best_z;
-                index = nearer ? 2.0 * i + j : index;
-            }
+/// Where the middle of a point's hexagon is, and its number.
+struct HexagonPlace {
+    double x;
+    double z;
+    double index;
+};
+
+/// Centres are at (1.5 i, root3 (j + i/2)); the nearest is among those of the two nearest columns.
+RB_INLINE void find_hexagon(const Vec3& p, HexagonPlace& place) {
+    const double column = std::floor(p.x / 1.5);
+    double best = 1e300;
+    place = {0.0, 0.0, 0.0};
+    for (const double i : {column, column + 1.0}) {
+        const double dx = p.x - 1.5 * i;
+        const double below = std::floor(p.z / root3 - 0.5 * i);
+        for (const double j : {below, below + 1.0}) {
+            const double z = root3 * (j + 0.5 * i);
+            const double d = dx * dx + (p.z - z) * (p.z - z);
+            const bool nearer = (d < best - 1e-9) | ((d < best + 1e-9) & (z > place.z));
+            best = nearer ? d : best;
+            place.x = nearer ? 1.5 * i : place.x;
+            place.z = nearer ? z : place.z;
+            place.index = nearer ? 2.0 * i + j : place.index;
         }
-        values[k] = hexagon_kind(index);
+    }
+}
+
+RB_FOR_EACH_TARGET void hexagon_values(std::span<const Vec3> points, std::span<double> values) {
+    HexagonPlace place;
+    for (size_t k = 0; k < points.size(); ++k) {
+        find_hexagon(points[k], place);
+        values[k] = hexagon_kind(place.index);
     }
 }
 
@@ -50,6 +63,20 @@ public:
     void evaluate(const PatternContext&, std::span<const Vec3> points,
                   std::span<double> values) const override {
         hexagon_values(points, values);
+    }
+    IntervalSlope bound(const PatternContext&, const LinePlace& line) const override {
+        const Interval& x = line[0].value;
+        const Interval& z = line[2].value;
+        HexagonPlace place;
+        find_hexagon({0.5 * (x.lo + x.hi), 0.0, 0.5 * (z.lo + z.hi)}, place);
+        // Farthest from the middle, across each pair of sides.
+        const Interval across = Interval(0.5 * root3) * (x - place.x);
+        const Interval along = z - place.z;
+        constexpr double rounding = 1e-6;
+        const double farthest =
+            std::max({abs(along).hi, abs(across + 0.5 * along).hi, abs(across - 0.5 * along).hi});
+        if (farthest < 0.5 * root3 - rounding) return hexagon_kind(place.index);
+        return somewhere_in(0.0, 2.0);
     }
 };
 

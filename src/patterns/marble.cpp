@@ -1,5 +1,6 @@
 // marble (manual 3.4.7.1.22): x, disturbed by turbulence.
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise.h"
 
 namespace rb {
@@ -20,6 +21,10 @@ public:
         }
         turbulence(points, *classic, context.noise_generator, values);
         for (size_t i = 0; i < points.size(); ++i) values[i] = points[i].x + amount * values[i];
+    }
+    IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
+        const TurbulenceWarp* classic = context.modifiers.classic_turbulence();
+        return classic && classic->amount.x != 0.0 ? any_number() : place[0];
     }
 };
 

@@ -1,6 +1,7 @@
 #include "patterns/pattern_field.h"
 
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/sine.h"
 #include "patterns/warps.h"
 
@@ -8,14 +9,17 @@
 
 namespace rb {
 
+namespace {
+
+/// The value_period is not 1, so that a value of exactly 1 stays 1; patterns without bounds drift by this
+/// much.
+constexpr double value_period = 1.00001;
+
+}  // namespace
+
 PatternField::PatternField(PatternPtr pattern, const PatternModifiers& modifiers,
                            const PatternSettings& settings)
     : pattern_(std::move(pattern)), modifiers_(modifiers), settings_(settings) {
-    if (pattern_) {
-        if (auto ready = pattern_->prepared(settings.noise_generator, settings.number_of_waves)) {
-            pattern_ = std::move(ready);
-        }
-    }
     warp_count_ = modifiers_.warps.size();
     const TurbulenceWarp* classic = modifiers_.classic_turbulence();
     if (classic) {
@@ -44,14 +48,12 @@ bool PatternField::perturb(const PatternSamples& carried, float amount, std::spa
 }
 
 void PatternField::shape(std::span<double> values) const {
-    // The period is not 1, so that a value of exactly 1 stays 1; patterns without bounds drift by this much.
-    constexpr double period = 1.00001;
     const double frequency = modifiers_.frequency;
     const double phase = modifiers_.phase;
     for (double& v : values) {
         if (frequency != 0.0) {
             v = v * frequency + phase;
-            if (std::abs(v) >= period) v = std::fmod(v, period);
+            if (std::abs(v) >= value_period) v = std::fmod(v, value_period);
         }
         if (v < 0.0) v -= std::floor(v);
     }
@@ -78,6 +80,54 @@ void PatternField::shape(std::span<double> values) const {
             for (double& v : values) v = std::pow(v, static_cast<double>(modifiers_.poly_exponent));
             break;
     }
+}
+
+IntervalSlope PatternField::bound(LinePlace place) const {
+    const auto is_far = [](const IntervalSlope& v) {
+        return v.value.maybe_nan || !(v.value.lo > -coordinate_limit && v.value.hi < coordinate_limit);
+    };
+    if (std::ranges::any_of(place, is_far)) return IntervalSlope::everything();
+    for (size_t i = 0; i < warp_count_; ++i) {
+        const auto* map = std::get_if<Transform>(&modifiers_.warps[i]);
+        if (map) place = carried(place, map->backward);
+        if (map && std::ranges::none_of(place, is_far)) continue;
+        place.fill(somewhere_in(-coordinate_limit, coordinate_limit));
+        break;
+    }
+    return shaped(pattern_->bound(context({}), place));
+}
+
+/// What shape() makes of it.
+IntervalSlope PatternField::shaped(IntervalSlope v) const {
+    if (v.value.maybe_nan) return IntervalSlope::everything();
+    if (modifiers_.frequency != 0.0f) {
+        v = v.value.has_infinity() ? any_number()
+                                   : v * double{modifiers_.frequency} + double{modifiers_.phase};
+        if (v.value.has_infinity()) {
+            v = somewhere_in(-value_period, value_period);
+        } else if (!(v.value.lo > -value_period && v.value.hi < value_period)) {
+            v = fmod(v, value_period);
+        }
+    }
+    if (v.value.lo < 0.0) {
+        const Interval below_one{0.0, std::max(1.0, v.value.hi)};
+        v = v.value.hi < 0.0 ? fraction(v) : IntervalSlope::jumping(below_one);
+    }
+    switch (modifiers_.wave) {
+        case Wave::ramp:
+            return v;
+        case Wave::triangle:
+            return triangle(v);
+        case Wave::sine:
+            return (1.0 + sin(v * (2.0 * pi))) * 0.5;
+        case Wave::scallop:
+            return abs(sin(v * (0.5 * (2.0 * pi))));
+        case Wave::cubic:
+            return square(v) * (3.0 - 2.0 * v);
+        case Wave::poly:
+            return pow(v, double{modifiers_.poly_exponent});
+    }
+    return IntervalSlope::everything();
 }
 
 MapPlace find_in_map(std::span<const float> positions, bool sorted, double value) {

@@ -33,6 +33,8 @@ public:
     void carry(std::span<Vec3> points) const;
     /// Values with frequency, phase and wave at points that have been carried.
     void values(const PatternSamples& carried, std::span<double> out) const;
+    /// Holds the values along a line of points that have not been carried yet.
+    IntervalSlope bound(LinePlace place) const;
     /// Pattern::perturb at points that have been carried.
     bool perturb(const PatternSamples& carried, float amount, std::span<Vec3> normals) const;
 
@@ -50,6 +52,7 @@ public:
 private:
     PatternContext context(const PatternSamples& samples) const;
     void shape(std::span<double> values) const;
+    IntervalSlope shaped(IntervalSlope v) const;
 
     PatternPtr pattern_;
     PatternModifiers modifiers_;

@@ -3,6 +3,8 @@
 #include "patterns/registry.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace rb {
@@ -21,6 +23,17 @@ ColorMap default_map_of(const Pattern& pattern) {
     return {{0.0f, {0, 0, 0, 0, 0}}, {1.0f, {1, 1, 1, 0, 0}}};
 }
 
+float term_of(const Color& c, int term) {
+    return std::array{c.red, c.green, c.blue, c.filter, c.transmit}[static_cast<size_t>(term)];
+}
+
+/// With what single precision may have made of it, where values within `all` are mixed.
+Interval widened(const Interval& v, const Interval& all) {
+    constexpr double rounding = 1e-6;
+    const double slack = rounding * std::max(std::abs(all.lo), std::abs(all.hi));
+    return {v.lo - slack, v.hi + slack, v.maybe_nan};
+}
+
 bool usable(const Color& quick) {
     return quick.red != -1.0f && quick.green != -1.0f && quick.blue != -1.0f && quick.filter != -1.0f &&
            quick.transmit != -1.0f;
@@ -35,6 +48,7 @@ struct PigmentProgram::Map {
     /// True if there is something to choose from.
     bool take(const Pigment& pigment, const PatternSettings& settings);
     void evaluate(const PatternSamples& samples, std::span<Color> out) const;
+    IntervalSlope bound(const LinePlace& place, int term) const;
 
     Kind kind = Kind::colors;
     bool uv_mapping = false;
@@ -49,6 +63,8 @@ private:
     void evaluate_colors(const PatternSamples& carried, std::span<Color> out) const;
     void evaluate_children(const PatternSamples& carried, std::span<Color> out) const;
     void evaluate_average(const PatternSamples& carried, std::span<Color> out) const;
+    IntervalSlope bound_colors(const IntervalSlope& at, int term) const;
+    Interval bound_all(int term) const;
 };
 
 PigmentProgram::PigmentProgram(const Pigment& pigment, const PatternSettings& settings, bool quick) {
@@ -198,6 +214,70 @@ void PigmentProgram::Map::evaluate_average(const PatternSamples& moved, std::spa
     }
     if (total == 0.0f) return;
     for (Color& color : out) color = color * (1.0f / total);
+}
+
+IntervalSlope PigmentProgram::bound(const LinePlace& place, int term) const {
+    return map_ ? map_->bound(place, term) : IntervalSlope(double{term_of(color_, term)});
+}
+
+IntervalSlope PigmentProgram::Map::bound(const LinePlace& place, int term) const {
+    switch (kind) {
+        case Kind::colors:
+            return bound_colors(field.bound(place), term);
+        case Kind::children:
+            return IntervalSlope::jumping(bound_all(term));
+        default:
+            return IntervalSlope::everything();
+    }
+}
+
+/// Over the pieces of the map that the pattern's values meet.
+IntervalSlope PigmentProgram::Map::bound_colors(const IntervalSlope& at, int term) const {
+    const Interval& v = at.value;
+    const Interval all = bound_all(term);
+    if (v.maybe_nan || !positions.sorted) return IntervalSlope::jumping(all);
+    const auto value = [&](size_t k) { return double{term_of(colors[k], term)}; };
+    const auto position = [&](size_t k) { return double{positions.positions[k]}; };
+    const size_t last = colors.size() - 1;
+    std::optional<Interval> values;
+    std::optional<Interval> slopes;
+    const auto add = [](const Interval& more, std::optional<Interval>& sum) {
+        sum = sum ? hull(*sum, more) : more;
+    };
+    const auto add_level = [&](size_t k) {
+        add(value(k), values);
+        add(0.0, slopes);
+    };
+    if (v.lo < position(0)) add_level(0);
+    if (v.hi > position(last)) add_level(last);
+    bool jumps = false;
+    for (size_t k = 1; k <= last; ++k) {
+        const double from = position(k - 1);
+        const double to = position(k);
+        if (v.hi < from || v.lo > to) continue;
+        if (from == to) {
+            jumps = jumps || value(k - 1) != value(k);
+            add(hull(value(k - 1), value(k)), values);
+            continue;
+        }
+        const Interval slope = (Interval(value(k)) - value(k - 1)) / (Interval(to) - from);
+        const Interval part = Interval(std::max(v.lo, from), std::min(v.hi, to)) - from;
+        add(value(k - 1) + part * slope, values);
+        add(slope, slopes);
+    }
+    if (!values) add_level(last);
+    const Interval value_bound = widened(*values, all);
+    return jumps ? IntervalSlope::jumping(value_bound) : chain(value_bound, slopes.value_or(0.0), at);
+}
+
+/// Whatever the pattern gives.
+Interval PigmentProgram::Map::bound_all(int term) const {
+    std::optional<Interval> all;
+    const auto add = [&](const Interval& one) { all = all ? hull(*all, one) : one; };
+    for (const Color& color : colors) add(double{term_of(color, term)});
+    for (const PigmentProgram& child : children)
+        add(child.bound({any_number(), any_number(), any_number()}, term).value);
+    return widened(*all, *all);
 }
 
 }  // namespace rb

@@ -21,6 +21,8 @@ public:
     SurfaceNeed surface_need() const;
 
     void evaluate(const PatternSamples& samples, std::span<Color> out) const;
+    /// Holds one term of the colour (0: red ... 4: transmit) along a line.
+    IntervalSlope bound(const LinePlace& place, int term) const;
 
 private:
     struct Map;

@@ -1,5 +1,6 @@
 // quilted [control0 f] [control1 f] (manual 3.4.7.1.28): cushions in unit cubes.
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 
 namespace rb {
 
@@ -15,6 +16,16 @@ public:
     double value(const Vec3& p) const {
         const Vec3 c = cushion(p);
         return (std::abs(c.x) + std::abs(c.y) + std::abs(c.z)) / 3.0;
+    }
+    IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
+        LinePlace c;
+        // Where a cushion ends the next begins, at the same distance from its middle.
+        for (size_t i = 0; i < 3; ++i) c[i] = 0.5 - 0.5 * triangle(place[i]);
+        const IntervalSlope t = length(c);
+        const IntervalSlope u = 1.0 - t;
+        const IntervalSlope share =
+            1.154700538 * (cube(t) + 3.0 * control0 * t * square(u) + 3.0 * control1 * square(t) * u);
+        return abs(share) * (c[0] + c[1] + c[2]) / 3.0;
     }
     bool perturb(const PatternContext&, float amount, std::span<const Vec3> points,
                  std::span<Vec3> normals) const override {

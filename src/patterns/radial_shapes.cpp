@@ -2,9 +2,11 @@
 // distance to a point, an axis or a plane.
 #include "base/scratch.h"
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/sine.h"
 
 #include <algorithm>
+#include <array>
 
 namespace rb {
 
@@ -14,6 +16,9 @@ class Onion final : public PointPattern<Onion> {
 public:
     std::string_view keyword() const override { return "onion"; }
     double value(const Vec3& p) const { return std::fmod(glm::length(p), 1.0); }
+    IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
+        return fmod(length(place), 1.0);
+    }
 };
 
 class Leopard final : public Pattern {
@@ -35,6 +40,9 @@ public:
             values[i] = mean * mean;
         }
     }
+    IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
+        return square((sin(place[0]) + sin(place[1]) + sin(place[2])) / 3.0);
+    }
 };
 
 class Radial final : public PointPattern<Radial> {
@@ -44,6 +52,11 @@ public:
         if (std::abs(p.x) < 0.001 && std::abs(p.z) < 0.001) return 0.25;
         return 0.25 + (std::atan2(p.x, p.z) + pi) / (2.0 * pi);
     }
+    IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
+        const auto reaches_axis = [](const Interval& v) { return v.lo < 0.001 && v.hi > -0.001; };
+        if (reaches_axis(place[0].value) && reaches_axis(place[2].value)) return somewhere_in(0.25, 1.25);
+        return 0.25 + (atan2(place[0], place[2]) + pi) / (2.0 * pi);
+    }
 };
 
 class Boxed final : public PointPattern<Boxed> {
@@ -52,24 +65,36 @@ public:
     double value(const Vec3& p) const {
         return faded(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}));
     }
+    IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
+        return faded(max(max(abs(place[0]), abs(place[1])), abs(place[2])));
+    }
 };
 
 class Planar final : public PointPattern<Planar> {
 public:
     std::string_view keyword() const override { return "planar"; }
     double value(const Vec3& p) const { return faded(std::abs(p.y)); }
+    IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
+        return faded(abs(place[1]));
+    }
 };
 
 class Spherical final : public PointPattern<Spherical> {
 public:
     std::string_view keyword() const override { return "spherical"; }
     double value(const Vec3& p) const { return faded(glm::length(p)); }
+    IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
+        return faded(length(place));
+    }
 };
 
 class Cylindrical final : public PointPattern<Cylindrical> {
 public:
     std::string_view keyword() const override { return "cylindrical"; }
     double value(const Vec3& p) const { return faded(std::sqrt(p.x * p.x + p.z * p.z)); }
+    IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
+        return faded(length(std::array{place[0], place[2]}));
+    }
 };
 
 ColorMap radial_map() {

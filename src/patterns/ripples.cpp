@@ -1,6 +1,7 @@
 // ripples, waves (manual 3.4.7.1.30, 3.4.7.1.40): circular waves from sources at random places.
 #include "base/scratch.h"
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise.h"
 #include "patterns/quad.h"
 #include "patterns/sine.h"
@@ -44,6 +45,24 @@ public:
         }
         const auto count = static_cast<double>(sources.size());
         for (double& v : values) v = spread_ ? 0.2 * (2.5 + v / count) : 0.5 * (1.0 + v / count);
+    }
+    IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
+        const auto sources = wave_sources(context.number_of_waves);
+        const auto count = static_cast<double>(sources.size());
+        const double frequency = context.modifiers.frequency;
+        const double phase = context.modifiers.phase;
+        IntervalSlope sum(0.0);
+        for (const WaveSource& source : sources) {
+            const IntervalSlope distance = length(LinePlace{
+                place[0] - source.center.x, place[1] - source.center.y, place[2] - source.center.z});
+            const double own = spread_ ? source.frequency : 1.0;
+            // In the middle of a source the distance jumps to 1.
+            const IntervalSlope height = distance.value.lo > 0.0
+                                             ? sin(2.0 * pi * (distance * frequency * own + phase))
+                                             : somewhere_in(-1.0, 1.0);
+            sum += spread_ ? height / source.frequency : height;
+        }
+        return spread_ ? 0.2 * (2.5 + sum / count) : 0.5 * (1.0 + sum / count);
     }
 
     bool perturb(const PatternContext& context, float amount, std::span<const Vec3> points,

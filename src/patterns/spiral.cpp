@@ -1,5 +1,6 @@
 // spiral1 n, spiral2 n (manual 3.4.7.1.33-34): n arms that wind around z.
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise.h"
 
 #include <algorithm>
@@ -33,6 +34,17 @@ public:
             const double v = p.z + radius + arms_ * angle / (2.0 * pi) + amount * values[i];
             values[i] = kind_ == 1 ? v : triangle(radius) + triangle(v);
         }
+    }
+    IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
+        const TurbulenceWarp* classic = context.modifiers.classic_turbulence();
+        if (classic && classic->amount.x != 0.0) return kind_ == 1 ? any_number() : somewhere_in(0.0, 2.0);
+        const IntervalSlope radius = length(std::span(place).first(2));
+        // What the arc sine loses near its ends.
+        constexpr double rounding = 1e-6;
+        const IntervalSlope angle =
+            pi - atan2(place[0], place[1]) + IntervalSlope(Interval(-rounding, rounding), 0.0);
+        const IntervalSlope v = place[2] + radius + arms_ * angle / (2.0 * pi);
+        return kind_ == 1 ? v : triangle(radius) + triangle(v);
     }
 
 private:

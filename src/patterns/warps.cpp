@@ -133,8 +133,7 @@ void warp_points(const Warp& warp, std::span<Vec3> points) {
 }
 
 void limit_coordinates(std::span<Vec3> points) {
-    constexpr double limit = 1e17;
-    for (Vec3& p : points) p = glm::clamp(p, Vec3{-limit}, Vec3{limit});
+    for (Vec3& p : points) p = glm::clamp(p, Vec3{-coordinate_limit}, Vec3{coordinate_limit});
 }
 
 }  // namespace rb

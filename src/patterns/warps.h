@@ -9,7 +9,8 @@ namespace rb {
 /// is `limit_coordinates`.
 void warp_points(const Warp& warp, std::span<Vec3> points);
 
-/// Keeps coordinates within +-1e17, as the reference does after a chain.
+/// Coordinates are kept within it after a chain, as the reference does.
+inline constexpr double coordinate_limit = 1e17;
 void limit_coordinates(std::span<Vec3> points);
 
 }  // namespace rb

@@ -1,6 +1,7 @@
 // wood (manual 3.4.7.1.42): rings around z, disturbed by turbulence.
 #include "base/scratch.h"
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise.h"
 #include "patterns/sine.h"
 
@@ -34,6 +35,9 @@ public:
             const double y = points[i].y + moves_y[i];
             values[i] = std::sqrt(x * x + y * y);
         }
+    }
+    IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
+        return context.modifiers.classic_turbulence() ? any_number() : length(std::span(place).first(2));
     }
 };
 

@@ -1,5 +1,6 @@
 // wrinkles (manual 3.4.7.1.41): ten octaves of noise.
 #include "patterns/formula.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise_lanes.h"
 
 namespace rb {
@@ -41,6 +42,13 @@ public:
     void evaluate(const PatternContext& context, std::span<const Vec3> points,
                   std::span<double> values) const override {
         wrinkle_values(points, context.noise_generator, values);
+    }
+    IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
+        const int generator = context.noise_generator;
+        return 0.5 *
+               bound_octaves(place, Octaves::doubling(10, 1.0), generator, [&](const IntervalSlope& value) {
+                   return generator == 1 ? value : clamp01(2.0 * value - 0.5);
+               });
     }
     bool perturb(const PatternContext&, float amount, std::span<const Vec3> points,
                  std::span<Vec3> normals) const override {

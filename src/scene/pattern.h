@@ -1,7 +1,9 @@
 #pragma once
+#include "math/interval_slope.h"
 #include "math/transform.h"
 #include "scene/color.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -87,6 +89,14 @@ struct PatternContext {
     std::span<const uint32_t> rows;           ///< for each point its row in `surface`
 };
 
+/// Places along a line: coordinates over an interval of it, and their slopes.
+using LinePlace = std::array<IntervalSlope, 3>;
+
+/// What is finite, and not known.
+inline IntervalSlope any_number() {
+    return {Interval(-infinity, infinity), Interval::everything()};
+}
+
 /// A scalar field over space: `bozo`, `checker`, ... Immutable and shared.
 class Pattern {
 public:
@@ -96,6 +106,11 @@ public:
     /// after.
     virtual void evaluate(const PatternContext& context, std::span<const Vec3> points,
                           std::span<double> values) const = 0;
+    /// Holds what evaluate() gives along a line, as IntervalSlope says. Coordinates
+    /// are finite.
+    virtual IntervalSlope bound(const PatternContext&, const LinePlace& /*place*/) const {
+        return IntervalSlope::everything();
+    }
     /// The pattern's own rule for `normal` statements (manual 3.4.6.2.3): adds to the unit normals at warped
     /// points. False: it has none, and the slope of its values is taken.
     virtual bool perturb(const PatternContext&, float /*amount*/, std::span<const Vec3> /*points*/,
@@ -114,11 +129,6 @@ public:
     virtual bool takes_default_map() const { return true; }
     /// What it asks of PatternContext::surface.
     virtual SurfaceNeed surface_need() const { return SurfaceNeed::none; }
-    /// A version made ready for rendering under these settings (nested pigments compiled), or null if this
-    /// one will do.
-    virtual std::shared_ptr<const Pattern> prepared(int /*noise_generator*/, int /*number_of_waves*/) const {
-        return nullptr;
-    }
     virtual std::string describe() const { return std::string(keyword()); }
 };
 using PatternPtr = std::shared_ptr<const Pattern>;

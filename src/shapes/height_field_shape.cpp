@@ -37,7 +37,8 @@ HeightGrid::Range HeightGrid::range(size_t level, int x, int z) const {
     }
     const uint16_t* low = heights_.data() + index(x, z);
     const uint16_t* high = low + columns_;
-    return hull(hull({low[0], low[0]}, {low[1], low[1]}), hull({high[0], high[0]}, {high[1], high[1]}));
+    const auto sample = [](uint16_t height) { return Range{height, height}; };
+    return hull(hull(sample(low[0]), sample(low[1])), hull(sample(high[0]), sample(high[1])));
 }
 
 void HeightGrid::build_levels() {

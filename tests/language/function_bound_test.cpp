@@ -1,6 +1,7 @@
 // Functions over intervals hold what functions of points give; over batches they give the same bits.
 #include "language/function_code.h"
 #include "language/parser.h"
+#include "scene/texture.h"
 
 #include <array>
 #include <bit>
@@ -20,6 +21,7 @@ FunctionPtr function_of(const std::string& text) {
     Diagnostics diagnostics;
     Scene scene;
     Session session(options, sources, diagnostics, scene);
+    session.default_texture = plain_texture();
     const uint32_t number = sources.add("function", text + ";");
     session.stream.open_file(lex(number, sources.text(number), session.words), {}, false);
     Parser parser(session);
@@ -176,7 +178,8 @@ TEST(FunctionBound, FunctionsOfFunctions) {
 }
 
 /// Along a line: values and difference quotients, but for the rounding of the latter.
-void expect_slope_bounded(const Function& f, size_t parameters, Draw& draw, const std::string& name) {
+void expect_slope_bounded(const Function& f, size_t parameters, Draw& draw, const std::string& name,
+                          double precision = 1e-10) {
     const double width = std::array{1e-3, 0.1, 1.0}[draw.index(3)];
     const double from = draw.uniform(-2, 2);
     const Interval t(from, from + width);
@@ -205,7 +208,7 @@ void expect_slope_bounded(const Function& f, size_t parameters, Draw& draw, cons
         EXPECT_TRUE(bound.value.holds(fa)) << name;
         if (std::abs(b - a) < 0.01 * width || !std::isfinite(fa) || !std::isfinite(fb)) continue;
         const double quotient = (fb - fa) / (b - a);
-        const double rounding = 1e-10 * (1 + std::abs(fa) + std::abs(fb)) / std::abs(b - a);
+        const double rounding = precision * (1 + std::abs(fa) + std::abs(fb)) / std::abs(b - a);
         if (bound.slope.maybe_nan) continue;
         ASSERT_GE(quotient, bound.slope.lo - rounding) << name << " from " << a << " to " << b;
         ASSERT_LE(quotient, bound.slope.hi + rounding) << name << " from " << a << " to " << b;
@@ -227,6 +230,99 @@ TEST(FunctionSlope, HoldsDifferenceQuotients) {
                 expect_slope_bounded(*f, parameters, draw, fmt::format("internal({})", number)));
         }
     }
+}
+
+/// Every kind of pattern that a function may hold, every wave, and what moves points.
+const std::vector<std::string> pattern_bodies{
+    "pattern { agate }",
+    "pattern { boxed }",
+    "pattern { bozo }",
+    "pattern { bozo noise_generator 1 frequency 3 }",
+    "pattern { bozo noise_generator 3 scale 0.4 }",
+    "pattern { brick brick_size <1, 0.6, 0.8> mortar 0.15 }",
+    "pattern { bumps frequency 2 phase 0.3 }",
+    "pattern { cells scale 0.7 }",
+    "pattern { checker translate 0.3 }",
+    "pattern { crackle }",
+    "pattern { cubic }",
+    "pattern { cylindrical }",
+    "pattern { dents }",
+    "pattern { gradient <1, 2, -1> }",
+    "pattern { gradient -x phase -0.4 }",
+    "pattern { gradient y triangle_wave frequency 1.7 }",
+    "pattern { gradient y sine_wave frequency -1.3 }",
+    "pattern { gradient y scallop_wave }",
+    "pattern { gradient y cubic_wave phase 0.2 }",
+    "pattern { gradient y poly_wave 2.5 }",
+    "pattern { granite }",
+    "pattern { granite noise_generator 1 scale 3 }",
+    "pattern { hexagon scale 0.6 }",
+    "pattern { leopard scale 0.3 }",
+    "pattern { mandel 10 }",
+    "pattern { marble }",
+    "pattern { marble turbulence 0.5 }",
+    "pattern { onion }",
+    "pattern { onion frequency 0 }",
+    "pattern { planar rotate 30*x }",
+    "pattern { quilted control0 0.2 control1 1.4 }",
+    "pattern { radial frequency 4 }",
+    "pattern { ripples frequency 2 scale 0.5 }",
+    "pattern { spherical scale 2 }",
+    "pattern { spiral1 3 }",
+    "pattern { spiral2 2 triangle_wave }",
+    "pattern { spiral1 2 turbulence 0.3 }",
+    "pattern { spotted turbulence 0.4 scale 0.5 }",
+    "pattern { waves frequency 2 scale 0.5 }",
+    "pattern { wood rotate <20, 30, 40> scale 0.6 }",
+    "pattern { wood turbulence 0.1 }",
+    "pattern { wrinkles }",
+    "pattern { wrinkles noise_generator 1 sine_wave }",
+    "pattern { checker warp { repeat x flip y } }",
+    "pattern { function { x*y-z } sine_wave }",
+    "transform { rotate <10, 20, 30> scale <1, 2, 3> translate y }"};
+
+TEST(FunctionBound, HoldsWhatPatternsGive) {
+    Draw draw(6);
+    for (const std::string& body : pattern_bodies) {
+        const FunctionPtr f = function_of("function { " + body + " }");
+        for (int i = 0; i < 200; ++i) {
+            const std::array box{draw.interval(), draw.interval(), draw.interval()};
+            ASSERT_NO_FATAL_FAILURE(expect_bounded(*f, box, draw, body));
+            ASSERT_NO_FATAL_FAILURE(expect_slope_bounded(*f, 3, draw, body));
+        }
+    }
+}
+
+TEST(FunctionBound, HoldsWhatPigmentsGive) {
+    Draw draw(7);
+    // Colours are of single precision.
+    for (const char* map :
+         {"color_map { [0.1 rgb <0.2, 0, 0>] [0.4 rgb <0.9, 1, 0>] [0.4 rgb <-0.5, 0, 0>] [0.8 rgb 1] }",
+          "color_map { [0.5 rgb <0.2, 0, 0>] [0.2 rgb <0.9, 1, 0>] }", "color_map { [0.5 rgb <0.2, 0, 0>] }",
+          "pigment_map { [0 checker rgb 0.5 rgb 0.7] [1 bozo] }"}) {
+        const std::string body = "pigment { gradient x " + std::string(map) + " }";
+        const FunctionPtr f = function_of("function { " + body + " }");
+        for (int i = 0; i < 300; ++i) {
+            const std::array box{draw.interval(), draw.interval(), draw.interval()};
+            ASSERT_NO_FATAL_FAILURE(expect_bounded(*f, box, draw, body));
+            ASSERT_NO_FATAL_FAILURE(expect_slope_bounded(*f, 3, draw, body, 1e-6));
+        }
+    }
+}
+
+TEST(FunctionSlope, OfPatternsIsKnownBetweenTheirJumps) {
+    const auto slope = [](const char* body, Interval x) {
+        const std::array line{IntervalSlope(x, 1), IntervalSlope(0.3), IntervalSlope(0.3)};
+        return function_of(fmt::format("function {{ pattern {{ {} }} }}", body))->bound_slope(line, 0);
+    };
+    EXPECT_GT(slope("onion", {1.1, 1.2}).slope.lo, 0.5);
+    EXPECT_TRUE(slope("onion", {0.8, 1.2}).slope.has_infinity());
+    EXPECT_TRUE(is_constant(slope("checker", {0.1, 0.9})));
+    EXPECT_TRUE(slope("checker", {0.1, 1.1}).slope.has_infinity());
+    EXPECT_TRUE(is_constant(slope("hexagon", {-0.3, 0.3})));
+    EXPECT_NEAR(slope("gradient x triangle_wave", {0.1, 0.4}).slope.lo, 2.0, 1e-9);
+    EXPECT_LT(slope("bozo", {0.1, 0.11}).slope.hi, 3.0);
+    EXPECT_LE(slope("granite", {0.0, 9.0}).value.hi, 1.0);
 }
 
 TEST(FunctionSlope, TellsWhetherAFunctionRises) {

@@ -1,0 +1,39 @@
+#pragma once
+#include "scene/pattern.h"
+
+namespace rb {
+
+// What the bounds of patterns share: formula.h and noise.h along lines.
+
+/// A value in a range, which may jump.
+inline IntervalSlope somewhere_in(double lo, double hi) { return IntervalSlope::jumping({lo, hi}); }
+/// What jumps: the largest whole number not above `v`.
+inline IntervalSlope floor(const IntervalSlope& v) { return IntervalSlope::jumping(floor(v.value)); }
+/// v - floor(v), from 0 to 1.
+IntervalSlope fraction(const IntervalSlope& v);
+/// triangle() of formula.h.
+IntervalSlope triangle(const IntervalSlope& v);
+/// faded() of formula.h for what is not negative.
+IntervalSlope faded(const IntervalSlope& r);
+
+/// clamp01() of formula.h.
+inline IntervalSlope clamp01(const IntervalSlope& v) { return max(min(v, 1.0), IntervalSlope(0.0)); }
+
+/// Length of a vector. Its slope is no more than that of the vector, at 0 too.
+IntervalSlope length(std::span<const IntervalSlope> v);
+
+LinePlace scaled(const LinePlace& place, double factor);
+LinePlace carried(const LinePlace& place, const Affine& map);
+
+/// noise(). Where the place does not move only its range: a closer look costs as much as many values.
+IntervalSlope bound_noise(const LinePlace& place, int generator);
+/// sum_octaves() of noise_lanes.h; `fold` gives what becomes of a noise value.
+template <class Fold>
+IntervalSlope bound_octaves(const LinePlace& place, const auto& octaves, int generator, const Fold& fold) {
+    IntervalSlope sum(0.0);
+    for (size_t i = 0; i < static_cast<size_t>(octaves.count); ++i)
+        sum += octaves.weight[i] * fold(bound_noise(scaled(place, octaves.scale[i]), generator));
+    return sum;
+}
+
+}  // namespace rb
