@@ -82,7 +82,7 @@ public:
 
 private:
     /// Where many are taken at once they may be smaller.
-    static double steps_per_precision(const JuliaFormula& formula) { return formula.has_reach() ? 8.0 : 4.0; }
+    static double steps_per_precision(const JuliaRule& rule) { return rule.has_reach() ? 7.0 : 4.0; }
 
     /// A fractal has none.
     std::optional<GradientBound> slopes(const Bounds&) const override { return std::nullopt; }
@@ -141,7 +141,7 @@ private:
         std::array<Quaternion, count> places;
         const auto place = [&](size_t k) { return a + static_cast<double>(k + 1) * share; };
         for (size_t k = 0; k < count; ++k) places[k] = slice_.at(ray.at(place(k)));
-        const uint32_t staying = formula_.staying_of(places);
+        const uint32_t staying = formula_.orbits_of(places).staying;
         const uint32_t changed = (stays_at_a ? ~staying : staying) & ((1u << count) - 1);
         const auto first = static_cast<size_t>(std::countr_zero(changed));
         const double end = changed != 0 ? place(first) : b;
@@ -178,60 +178,106 @@ private:
         const double to_t = 1.0 / (length * slice_.stretch());
         // Small steps many at once are quicker than one that is hardly longer.
         const double worth = JuliaFormula::places_at_once * least;
-        Place here = look(query.ray, from);
-        while (here.t < to && here.t <= query.t_max) {
-            const double known = here.reach.distance * to_t;
-            const bool goes_on =
-                formula_.has_reach() && known < worth
-                    ? take_steps(query.ray, here, least, to, take)
-                    : take_step(query.ray, here, std::min(here.t + std::max(least, known), to), take);
+        Place place;
+        place.here.t = from;
+        place.here.stays = look_around(query.ray, place);
+        while (place.here.t < to && place.here.t <= query.t_max) {
+            const double known = place.known * to_t;
+            const bool goes_on = formula_.has_reach() && known < worth
+                                     ? take_steps(query.ray, place, least, to, take)
+                                     : take_step(query.ray, place, std::max(least, known), to, take);
             if (!goes_on) return;
         }
     }
 
+    struct Sample {
+        double t = 0;
+        bool stays = false;
+        double largest = std::numeric_limits<double>::quiet_NaN();  ///< of its orbit; nan: not known
+    };
+    /// The last two samples of a ray, and how far from the last all is proven to do the same.
     struct Place {
-        double t;
-        JuliaFormula::Reach reach;
+        Sample before;
+        Sample here;
+        double known = 0;
     };
 
     template <class Take>
-    bool take_step(const Ray& ray, Place& here, double next, const Take& take) const {
-        const Place there = look(ray, next);
-        const bool changes = there.reach.stays != here.reach.stays;
-        if (changes && !take(change_between(ray, here.t, next, here.reach.stays))) return false;
-        here = there;
-        return true;
+    bool take_step(const Ray& ray, Place& place, double step, double to, const Take& take) const {
+        const Sample last = place.here;
+        place.before = {};
+        place.here = {};
+        place.here.t = std::min(last.t + step, to);
+        place.here.stays = look_around(ray, place);
+        return take_change(ray, last, place.here, take);
     }
 
     /// Several of the least length, where nothing is known of the way.
     template <class Take>
-    bool take_steps(const Ray& ray, Place& here, double step, double to, const Take& take) const {
-        constexpr size_t count = JuliaFormula::places_at_once;
-        std::array<double, count> t;
-        std::array<Quaternion, count> places;
-        for (size_t k = 0; k < count; ++k) {
-            t[k] = std::min(here.t + static_cast<double>(k + 1) * step, to);
-            places[k] = slice_.at(ray.at(t[k]));
+    bool take_steps(const Ray& ray, Place& place, double step, double to, const Take& take) const {
+        for (const Sample& next : samples(ray, place.here.t, step, to)) {
+            if (may_touch(place.before, place.here, next) && !look_closely(ray, place.before, next, take))
+                return false;
+            if (!take_change(ray, place.here, next, take)) return false;
+            place.before = place.here;
+            place.here = next;
         }
-        const uint32_t staying = formula_.staying_of(places);
-        double before = here.t;
-        bool stays = here.reach.stays;
-        for (size_t k = 0; k < count; ++k) {
-            const bool stays_now = (staying >> k & 1) != 0;
-            if (stays_now != stays && !take(change_between(ray, before, t[k], stays))) return false;
-            stays = stays_now;
-            before = t[k];
-        }
-        here = look(ray, before);
-        here.reach.stays = stays;
+        look_around(ray, place);
         return true;
     }
 
-    Place look(const Ray& ray, double t) const {
-        const Quaternion q = slice_.at(ray.at(t));
-        if (!formula_.has_reach()) return {t, {formula_.stays(q), 0.0}};
+    template <class Take>
+    bool take_change(const Ray& ray, const Sample& a, const Sample& b, const Take& take) const {
+        return a.stays == b.stays || take(change_between(ray, a.t, b.t, a.stays));
+    }
+
+    /// Between samples that do the same orbits come so near to doing otherwise that they may in between.
+    bool may_touch(const Sample& a, const Sample& b, const Sample& c) const {
+        if (a.stays != b.stays || b.stays != c.stays) return false;
+        const double limit = formula_.escape();
+        const auto gap = [&](const Sample& s) { return s.stays ? limit - s.largest : s.largest - limit; };
+        const double least = gap(b);
+        // A parabola would come nearer by an eighth of that rise at most.
+        return least < gap(a) && least <= gap(c) && 4.0 * least < std::max(gap(a), gap(c)) - least;
+    }
+
+    /// In smaller steps.
+    template <class Take>
+    bool look_closely(const Ray& ray, Sample from, const Sample& to, const Take& take) const {
+        constexpr size_t count = JuliaFormula::places_at_once;
+        for (const Sample& next :
+             samples(ray, from.t, (to.t - from.t) / static_cast<double>(count + 1), to.t)) {
+            if (!take_change(ray, from, next, take)) return false;
+            from = next;
+        }
+        return take_change(ray, from, to, take);
+    }
+
+    std::array<Sample, JuliaFormula::places_at_once> samples(const Ray& ray, double from, double step,
+                                                             double to) const {
+        constexpr size_t count = JuliaFormula::places_at_once;
+        std::array<Sample, count> out;
+        std::array<Quaternion, count> places;
+        for (size_t k = 0; k < count; ++k) {
+            out[k].t = std::min(from + static_cast<double>(k + 1) * step, to);
+            places[k] = slice_.at(ray.at(out[k].t));
+        }
+        const JuliaFormula::Orbits orbits = formula_.orbits_of(places);
+        for (size_t k = 0; k < count; ++k) {
+            out[k].stays = (orbits.staying >> k & 1) != 0;
+            out[k].largest = orbits.largest[k];
+        }
+        return out;
+    }
+
+    /// What happens at a place, and in its neighbourhood.
+    bool look_around(const Ray& ray, Place& place) const {
+        const Quaternion q = slice_.at(ray.at(place.here.t));
+        if (!formula_.has_reach()) return formula_.stays(q);
         const double worth = JuliaFormula::places_at_once * resolution_ * slice_.stretch();
-        return {t, formula_.reach(q, worth)};
+        const JuliaFormula::Reach reach = formula_.reach(q, worth);
+        place.known = reach.distance;
+        return reach.stays;
     }
 
     JuliaFormula formula_;
@@ -249,35 +295,35 @@ Quaternion take_quaternion(BlockReader& in) {
     return {terms.v[0], terms.v[1], terms.v[2], terms.v[3]};
 }
 
-bool take_function(BlockReader& in, JuliaFormula& formula) {
+bool take_function(BlockReader& in, JuliaRule& rule) {
     constexpr std::array<std::string_view, 17> words{"sqr",   "cube", "exp",   "ln",   "reciprocal", "sin",
                                                      "asin",  "sinh", "asinh", "cos",  "acos",       "cosh",
                                                      "acosh", "tan",  "atan",  "tanh", "atanh"};
     for (size_t i = 0; i < words.size(); ++i) {
         if (!in.take_word(words[i])) continue;
-        formula.function = static_cast<JuliaFunction>(i);
+        rule.function = static_cast<JuliaFunction>(i);
         return true;
     }
     if (!in.take_word("pwr")) return false;
-    formula.function = JuliaFunction::pwr;
+    rule.function = JuliaFunction::pwr;
     const Vec2 exponent = in.vec2();
-    formula.exponent = {exponent.x, exponent.y};
+    rule.exponent = {exponent.x, exponent.y};
     return true;
 }
 
 ShapePtr read(BlockReader& in) {
-    JuliaFormula formula;
+    JuliaRule rule;
     Slice slice;
     double iterations = 20;
     double precision = 20;
-    formula.c = take_quaternion(in);
+    rule.c = take_quaternion(in);
     SourceRange function_at = in.where();
     for (;;) {
         const SourceRange at = in.where();
         if (in.take_word("quaternion")) {
-            formula.algebra = JuliaAlgebra::quaternion;
+            rule.algebra = JuliaAlgebra::quaternion;
         } else if (in.take_word("hypercomplex")) {
-            formula.algebra = JuliaAlgebra::hypercomplex;
+            rule.algebra = JuliaAlgebra::hypercomplex;
         } else if (in.take_word("max_iteration")) {
             iterations = std::max(std::floor(in.number()), 1.0);
             constexpr double most = 10000.0;
@@ -293,17 +339,17 @@ ShapePtr read(BlockReader& in) {
             if (!(length > 0.0)) in.fail_at(at, "Slice vector is zero.");
             slice.normal = n / length;
             if (std::abs(slice.normal.w) < 1e-10) in.fail_at(at, "Slice t component is zero.");
-        } else if (take_function(in, formula)) {
+        } else if (take_function(in, rule)) {
             function_at = at;
         } else {
             break;
         }
     }
-    if (formula.algebra == JuliaAlgebra::quaternion && !formula.has_reach()) {
+    if (rule.algebra == JuliaAlgebra::quaternion && !rule.has_reach()) {
         in.fail_at(function_at, "Illegal function: quaternion only supports sqr and cube.");
     }
-    formula.steps = static_cast<size_t>(iterations);
-    return std::make_shared<JuliaFractal>(formula, slice, precision);
+    rule.steps = static_cast<size_t>(iterations);
+    return std::make_shared<JuliaFractal>(JuliaFormula(rule), slice, precision);
 }
 
 }  // namespace

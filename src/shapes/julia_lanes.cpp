@@ -37,8 +37,9 @@ __attribute__((always_inline)) inline void advance(const Quaternion& c, Lanes& x
 }
 
 template <JuliaAlgebra algebra, bool cubes>
-__attribute__((always_inline)) inline uint32_t staying(const JuliaFormula& formula,
-                                                       std::span<const Quaternion, lanes> places) {
+__attribute__((always_inline)) inline void follow(const JuliaFormula& formula,
+                                                  std::span<const Quaternion, lanes> places,
+                                                  JuliaFormula::Orbits& out) {
     Lanes x;
     Lanes y;
     Lanes z;
@@ -51,38 +52,52 @@ __attribute__((always_inline)) inline uint32_t staying(const JuliaFormula& formu
         w[k] = q.w;
     }
     const double limit = formula.escape();
-    Mask stays = x == x;
-    const auto bits = [&] {
+    // What grows beyond all numbers has first been too large.
+    Lanes largest{};
+    const auto staying = [&] {
+        const Mask stays = largest <= limit;
         uint32_t set = 0;
         for (int k = 0; k < lanes; ++k) set |= static_cast<uint32_t>(stays[k] & 1) << k;
         return set;
     };
     constexpr size_t steps_between_looks = 4;
     for (size_t i = 0; i < formula.steps; ++i) {
-        stays &= (x * x + y * y) + (z * z + w * w) <= limit;
-        if (i % steps_between_looks == steps_between_looks - 1 && bits() == 0) return 0;
+        const Lanes square = (x * x + y * y) + (z * z + w * w);
+        largest = square > largest ? square : largest;
+        if (i % steps_between_looks == steps_between_looks - 1 && staying() == 0) break;
         advance<algebra, cubes>(formula.c, x, y, z, w);
     }
-    return bits();
+    out.staying = staying();
+    for (int k = 0; k < lanes; ++k) out.largest[static_cast<size_t>(k)] = largest[k];
 }
 
-__attribute__((always_inline)) inline uint32_t staying(const JuliaFormula& formula,
-                                                       std::span<const Quaternion, lanes> places) {
-    if (formula.algebra == JuliaAlgebra::hypercomplex)
-        return staying<JuliaAlgebra::hypercomplex, false>(formula, places);
-    return formula.function == JuliaFunction::cube
-               ? staying<JuliaAlgebra::quaternion, true>(formula, places)
-               : staying<JuliaAlgebra::quaternion, false>(formula, places);
+__attribute__((always_inline)) inline void follow(const JuliaFormula& formula,
+                                                  std::span<const Quaternion, lanes> places,
+                                                  JuliaFormula::Orbits& out) {
+    if (formula.algebra == JuliaAlgebra::hypercomplex) {
+        follow<JuliaAlgebra::hypercomplex, false>(formula, places, out);
+    } else if (formula.function == JuliaFunction::cube) {
+        follow<JuliaAlgebra::quaternion, true>(formula, places, out);
+    } else {
+        follow<JuliaAlgebra::quaternion, false>(formula, places, out);
+    }
 }
 
-RB_WIDE uint32_t staying_by_eights(const JuliaFormula& formula, std::span<const Quaternion, lanes> places) {
-    return staying(formula, places);
+RB_WIDE void follow_by_eights(const JuliaFormula& formula, std::span<const Quaternion, lanes> places,
+                              JuliaFormula::Orbits& out) {
+    follow(formula, places, out);
 }
 
 }  // namespace
 
-uint32_t JuliaFormula::staying_of(std::span<const Quaternion, places_at_once> places) const {
-    return has_wide() ? staying_by_eights(*this, places) : staying(*this, places);
+JuliaFormula::Orbits JuliaFormula::orbits_of(std::span<const Quaternion, places_at_once> places) const {
+    Orbits out;
+    if (has_wide()) {
+        follow_by_eights(*this, places, out);
+    } else {
+        follow(*this, places, out);
+    }
+    return out;
 }
 
 }  // namespace rb

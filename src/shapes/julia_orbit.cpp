@@ -68,15 +68,14 @@ Complex apply(JuliaFunction f, const Complex& z, const Complex& exponent) {
 
 }  // namespace
 
-double JuliaFormula::radius() const {
-    constexpr double widest = 4.0;
-    if (algebra == JuliaAlgebra::hypercomplex) return widest;
-    return std::min(2.0, 1.0 + glm::length(c) + 1e-7);
-}
-
-double JuliaFormula::escape() const {
-    const double r = radius();
-    return algebra == JuliaAlgebra::hypercomplex ? r * r : r * r + 1e-7;
+JuliaFormula::JuliaFormula(const JuliaRule& rule) : JuliaRule(rule) {
+    if (algebra == JuliaAlgebra::hypercomplex) {
+        radius_ = 4.0;
+        escape_ = radius_ * radius_;
+    } else {
+        radius_ = std::min(2.0, 1.0 + glm::length(c) + 1e-7);
+        escape_ = radius_ * radius_ + 1e-7;
+    }
 }
 
 Quaternion JuliaFormula::function_value(const Quaternion& q) const {

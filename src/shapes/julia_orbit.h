@@ -1,6 +1,7 @@
 #pragma once
 #include "math/vec.h"
 
+#include <array>
 #include <complex>
 #include <cstdint>
 #include <span>
@@ -36,30 +37,41 @@ enum class JuliaFunction {
 
 /// q -> f(q) + c, repeated (spec: geometry 16.3). What escapes in none of the first `steps` tests belongs to
 /// the solid; it escapes where |q|^2 > escape before the function is applied.
-struct JuliaFormula {
+struct JuliaRule {
     Quaternion c{0.0};
     JuliaAlgebra algebra = JuliaAlgebra::quaternion;
     JuliaFunction function = JuliaFunction::sqr;
     std::complex<double> exponent{0.0};  ///< of pwr
     size_t steps = 20;
 
+    /// True if JuliaFormula::reach knows bounds: squares and cubes.
+    bool has_reach() const { return function == JuliaFunction::sqr || function == JuliaFunction::cube; }
+};
+
+/// What a rule makes of points.
+class JuliaFormula : public JuliaRule {
+public:
+    explicit JuliaFormula(const JuliaRule& rule);
+
     /// Radius of the ball around the origin that holds the solid.
-    double radius() const;
+    double radius() const { return radius_; }
     /// Limit of the squared length; above the squared radius.
-    double escape() const;
+    double escape() const { return escape_; }
     /// f(q) + c. Hypercomplex `cube` is a square, as in the reference.
     Quaternion next(const Quaternion& q) const;
     /// The number of the first test in which q escapes; `steps` if in none.
     size_t escape_step(Quaternion q) const;
     bool stays(const Quaternion& q) const { return escape_step(q) == steps; }
-    /// The same of several places at once, for squares and cubes: bit k tells of place number k.
+    /// The same of several places at once, for squares and cubes.
     static constexpr int places_at_once = 8;
-    uint32_t staying_of(std::span<const Quaternion, places_at_once> places) const;
+    struct Orbits {
+        uint32_t staying = 0;                        ///< bit k tells of place number k
+        std::array<double, places_at_once> largest;  ///< squared length, as far as the orbit was followed
+    };
+    Orbits orbits_of(std::span<const Quaternion, places_at_once> places) const;
     /// What test number `step` compares with 0: above, q has escaped.
     double excess(Quaternion q, size_t step) const;
 
-    /// True if `reach` knows bounds: squares and cubes.
-    bool has_reach() const { return function == JuliaFunction::sqr || function == JuliaFunction::cube; }
     struct Reach {
         bool stays = false;
         double distance = 0;  ///< all points within are proven to do the same
@@ -77,6 +89,9 @@ private:
     Quaternion function_value(const Quaternion& q) const;
     Vec3 quaternion_normal(const Quaternion& q) const;
     Vec3 hypercomplex_normal(const Quaternion& q) const;
+
+    double radius_;
+    double escape_;
 };
 
 }  // namespace rb

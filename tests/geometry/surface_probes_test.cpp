@@ -133,21 +133,25 @@ TEST(JuliaOrbit, PlacesAtOnceDoAsEachAlone) {
         return Quaternion{dice.between(-size, size), dice.between(-size, size), dice.between(-size, size),
                           dice.between(-size, size)};
     };
-    JuliaFormula formula;
+    JuliaRule rule;
     uint32_t staying_any = 0;
     for (const auto algebra : {JuliaAlgebra::quaternion, JuliaAlgebra::hypercomplex}) {
         for (const auto function : {JuliaFunction::sqr, JuliaFunction::cube}) {
-            formula.algebra = algebra;
-            formula.function = function;
+            rule.algebra = algebra;
+            rule.function = function;
             for (size_t i = 0; i < 10 * RB_TEST_SAMPLES; ++i) {
-                formula.c = quaternion(0.6);
-                formula.steps = 1 + i % 25;
+                rule.c = quaternion(0.6);
+                rule.steps = 1 + i % 25;
+                const JuliaFormula formula(rule);
                 std::array<Quaternion, JuliaFormula::places_at_once> places;
                 for (Quaternion& q : places) q = quaternion(1.0);
-                const uint32_t staying = formula.staying_of(places);
+                const JuliaFormula::Orbits orbits = formula.orbits_of(places);
+                const uint32_t staying = orbits.staying;
                 staying_any |= staying;
-                for (size_t k = 0; k < places.size(); ++k)
+                for (size_t k = 0; k < places.size(); ++k) {
                     EXPECT_EQ((staying >> k & 1) != 0, formula.stays(places[k]));
+                    EXPECT_EQ(orbits.largest[k] <= formula.escape(), formula.stays(places[k]));
+                }
             }
         }
     }

@@ -224,7 +224,7 @@ struct Find {
     std::string_view solid;
     Ray ray;
 };
-constexpr std::array<Find, 14> finds{{
+constexpr std::array<Find, 15> finds{{
     // A root next to the end of a piece.
     {"lathe_4",
      {{1.8891655591404368, 0.11969064497713161, 3.8889636569248918},
@@ -275,6 +275,10 @@ constexpr std::array<Find, 14> finds{{
     {"julia_fractal",
      {{-3.336114830277753, 1.6077317859192188, 1.0183116576652416},
       {0.96266975112421549, -0.26494612714854826, -0.05541209235741066}}},
+    // Through a rim thinner than a step.
+    {"julia_fractal",
+     {{-0.5295747554819743, 1.310960525074361, 3.9617581283026753},
+      {0.45448441990550892, -0.34950608906272462, -0.81932252853881171}}},
 }};
 
 void once_lost(const std::vector<Solid>& solids, Table& table) {
@@ -303,6 +307,7 @@ void run(const Effort& effort, Table& table) {
         const auto rays = [&](std::string_view form, double full, auto&& look) {
             table.run(fmt::format("{}, {}", form, kind.name), effort.of(full), [&](Dice& dice) {
                 const Solid& solid = solids[dice.below(solids.size())];
+                if (!effort.solid.empty() && solid.name != effort.solid) return Trial::nothing();
                 Ray ray;
                 if (!kind.aim(solid, dice, ray)) return Trial::nothing();
                 return look(solid, ray);

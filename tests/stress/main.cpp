@@ -1,6 +1,6 @@
-// The numerical stress suite. usage: stress [--share S] [--from S] [--case PART_OF_NAME] [FAMILY ...]; share
-// 1 (all) is hours, 0.001 is the everyday run; `from` leaves out what a run with that share has tried. Exit
-// code 1 if anything failed.
+// The numerical stress suite. usage: stress [--share S] [--from S] [--case PART_OF_NAME] [--solid NAME]
+// [FAMILY ...]; share 1 (all) is hours, 0.001 is the everyday run; `from` leaves out what a run with that
+// share has tried, `solid` the rays of all other solids. Exit code 1 if anything failed.
 #include "base/parallel.h"
 #include "stress.h"
 
@@ -95,6 +95,8 @@ int main(int argc, char** argv) {
             from = std::strtod(argv[++i], nullptr);
         } else if (word == "--case" && i + 1 < argc) {
             wanted_case = argv[++i];
+        } else if (word == "--solid" && i + 1 < argc) {
+            effort.solid = argv[++i];
         } else {
             wanted.push_back(word);
         }

@@ -11,7 +11,8 @@ namespace rb::stress {
 
 /// How much of the full run to do.
 struct Effort {
-    double share = 1;  ///< 1 is all of it
+    double share = 1;        ///< 1 is all of it
+    std::string_view solid;  ///< leaks: the only one whose rays are followed; empty: all
     /// At least one.
     uint64_t of(double full) const { return static_cast<uint64_t>(std::max(1.0, full * share)); }
 };
