@@ -17,7 +17,7 @@ public:
         for (double& v : values) v = v * v * v;
     }
     IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
-        return cube(bound_noise(place, context.noise_generator));
+        return not_negative(cube(bound_noise(place, context.noise_generator)));
     }
     bool perturb(const PatternContext& context, float amount, std::span<const Vec3> points,
                  std::span<Vec3> normals) const override {

@@ -22,7 +22,7 @@ IntervalSlope fraction(const IntervalSlope& v) {
 
 IntervalSlope triangle(const IntervalSlope& v) {
     if (!is_one_piece(v.value)) return chain({0.0, 1.0}, {-2.0, 2.0}, v);
-    return 1.0 - abs(2.0 * (v - std::floor(v.value.lo)) - 1.0);
+    return not_negative(1.0 - abs(2.0 * (v - std::floor(v.value.lo)) - 1.0));
 }
 
 IntervalSlope faded(const IntervalSlope& r) { return max(1.0 - r, IntervalSlope(0.0)); }

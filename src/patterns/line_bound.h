@@ -19,6 +19,12 @@ IntervalSlope faded(const IntervalSlope& r);
 /// clamp01() of formula.h.
 inline IntervalSlope clamp01(const IntervalSlope& v) { return max(min(v, 1.0), IntervalSlope(0.0)); }
 
+/// Of what a formula never makes negative, whatever the rounding of its bound.
+inline IntervalSlope not_negative(IntervalSlope v) {
+    v.value.lo = v.value.lo < 0.0 ? 0.0 : v.value.lo;
+    return v;
+}
+
 /// Length of a vector. Its slope is no more than that of the vector, at 0 too.
 IntervalSlope length(std::span<const IntervalSlope> v);
 
@@ -27,13 +33,13 @@ LinePlace carried(const LinePlace& place, const Affine& map);
 
 /// noise(). Where the place does not move only its range: a closer look costs as much as many values.
 IntervalSlope bound_noise(const LinePlace& place, int generator);
-/// sum_octaves() of noise_lanes.h; `fold` gives what becomes of a noise value.
+/// sum_octaves() of noise_lanes.h; `fold` gives what becomes of a noise value, which is not negative.
 template <class Fold>
 IntervalSlope bound_octaves(const LinePlace& place, const auto& octaves, int generator, const Fold& fold) {
     IntervalSlope sum(0.0);
     for (size_t i = 0; i < static_cast<size_t>(octaves.count); ++i)
         sum += octaves.weight[i] * fold(bound_noise(scaled(place, octaves.scale[i]), generator));
-    return sum;
+    return not_negative(sum);
 }
 
 }  // namespace rb

@@ -100,14 +100,15 @@ IntervalSlope PatternField::bound(LinePlace place) const {
 /// What shape() makes of it.
 IntervalSlope PatternField::shaped(IntervalSlope v) const {
     if (v.value.maybe_nan) return IntervalSlope::everything();
-    if (modifiers_.frequency != 0.0f) {
-        v = v.value.has_infinity() ? any_number()
-                                   : v * double{modifiers_.frequency} + double{modifiers_.phase};
-        if (v.value.has_infinity()) {
-            v = somewhere_in(-value_period, value_period);
-        } else if (!(v.value.lo > -value_period && v.value.hi < value_period)) {
-            v = fmod(v, value_period);
-        }
+    const double frequency = modifiers_.frequency;
+    const double phase = modifiers_.phase;
+    if (frequency != 0.0 && v.value.has_infinity()) {
+        v = somewhere_in(-value_period, value_period);
+    } else if (frequency != 0.0) {
+        const bool rises = v.value.lo >= 0.0 && frequency > 0.0 && phase >= 0.0;
+        v = v * frequency + phase;
+        if (rises) v = not_negative(v);
+        if (!(v.value.lo > -value_period && v.value.hi < value_period)) v = fmod(v, value_period);
     }
     if (v.value.lo < 0.0) {
         const Interval below_one{0.0, std::max(1.0, v.value.hi)};

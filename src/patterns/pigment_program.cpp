@@ -63,6 +63,7 @@ private:
     void evaluate_colors(const PatternSamples& carried, std::span<Color> out) const;
     void evaluate_children(const PatternSamples& carried, std::span<Color> out) const;
     void evaluate_average(const PatternSamples& carried, std::span<Color> out) const;
+    Color color_at(double value) const;
     IntervalSlope bound_colors(const IntervalSlope& at, int term) const;
     Interval bound_all(int term) const;
 };
@@ -169,19 +170,17 @@ void PigmentProgram::Map::evaluate_colors(const PatternSamples& moved, std::span
     Scratch::Scope memory(thread_scratch());
     const auto values = memory.take<double>(out.size());
     field.values(moved, values);
-    for (size_t i = 0; i < out.size(); ++i) {
-        const MapPlace place = positions.find(values[i]);
-        const Color& a = colors[place.first];
-        if (place.first == place.second) {
-            out[i] = a;
-            continue;
-        }
-        const Color& b = colors[place.second];
-        const auto t = static_cast<float>(place.t);
-        out[i] = {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
-                  a.blue + t * (b.blue - a.blue), a.filter + t * (b.filter - a.filter),
-                  a.transmit + t * (b.transmit - a.transmit)};
-    }
+    for (size_t i = 0; i < out.size(); ++i) out[i] = color_at(values[i]);
+}
+
+Color PigmentProgram::Map::color_at(double value) const {
+    const MapPlace place = positions.find(value);
+    const Color& a = colors[place.first];
+    if (place.first == place.second) return a;
+    const Color& b = colors[place.second];
+    const auto t = static_cast<float>(place.t);
+    return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green), a.blue + t * (b.blue - a.blue),
+            a.filter + t * (b.filter - a.filter), a.transmit + t * (b.transmit - a.transmit)};
 }
 
 void PigmentProgram::Map::evaluate_children(const PatternSamples& moved, std::span<Color> out) const {
@@ -234,6 +233,7 @@ IntervalSlope PigmentProgram::Map::bound(const LinePlace& place, int term) const
 /// Over the pieces of the map that the pattern's values meet.
 IntervalSlope PigmentProgram::Map::bound_colors(const IntervalSlope& at, int term) const {
     const Interval& v = at.value;
+    if (v.is_point()) return double{term_of(color_at(v.lo), term)};
     const Interval all = bound_all(term);
     if (v.maybe_nan || !positions.sorted) return IntervalSlope::jumping(all);
     const auto value = [&](size_t k) { return double{term_of(colors[k], term)}; };

@@ -25,7 +25,7 @@ public:
         const IntervalSlope u = 1.0 - t;
         const IntervalSlope share =
             1.154700538 * (cube(t) + 3.0 * control0 * t * square(u) + 3.0 * control1 * square(t) * u);
-        return abs(share) * (c[0] + c[1] + c[2]) / 3.0;
+        return not_negative(abs(share) * (c[0] + c[1] + c[2]) / 3.0);
     }
     bool perturb(const PatternContext&, float amount, std::span<const Vec3> points,
                  std::span<Vec3> normals) const override {

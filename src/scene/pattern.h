@@ -93,9 +93,7 @@ struct PatternContext {
 using LinePlace = std::array<IntervalSlope, 3>;
 
 /// What is finite, and not known.
-inline IntervalSlope any_number() {
-    return {Interval(-infinity, infinity), Interval::everything()};
-}
+inline IntervalSlope any_number() { return {Interval(-infinity, infinity), Interval::everything()}; }
 
 /// A scalar field over space: `bozo`, `checker`, ... Immutable and shared.
 class Pattern {

@@ -93,13 +93,13 @@ public:
         if (content.sign != CellSign::unclear) return true;
         const Interval& slope = content.slope;
         if (slope.lo > 0.0 || slope.hi < 0.0) return go_on(sides(a, b), a, b, nullptr, take);
-        if (!shape_.loose_) return halve(a, b, nullptr, take);
+        if (!shape_.loose_ && slope.has_infinity()) return halve(a, b, nullptr, take);
         const Interval trusted = slope.has_infinity() ? Interval{-steepest_, steepest_} : slope;
         return step_through(a, b, trusted, take);
     }
 
 private:
-    enum class Found { none, one, unclear };
+    enum class Found { none, one, jump, unclear };
 
     /// Of a value that only rises or only falls.
     static Found sides(Place& a, Place& b) { return a.below() == b.below() ? Found::none : Found::one; }
@@ -109,7 +109,11 @@ private:
     /// `slope`: what is known of the slope all along, or null.
     template <class Take>
     bool halve(Place& a, Place& b, const Interval* slope, const Take& take) const {
-        return a.t() <= t_max_ && go_on(slope ? look_loosely(a, b, *slope) : look(a, b), a, b, slope, take);
+        if (a.t() > t_max_) return false;
+        // Values are quicker than intervals, which soon tell all in small pieces.
+        constexpr double small = 8.0;
+        const bool loosely = slope && (shape_.loose_ || b.t() - a.t() > small * least_);
+        return go_on(loosely ? look_loosely(a, b, *slope) : look(a, b), a, b, slope, take);
     }
 
     template <class Take>
@@ -121,7 +125,23 @@ private:
             return a.below() == b.below() ||
                    take(bracketed_root([&](double t) { return value(t); }, a.t(), a.f(), b.t(), b.f()));
         }
+        if (found == Found::jump && a.below() != b.below()) return pass_jump(a, b, take);
         return halve(a, middle, slope, take) && halve(middle, b, slope, take);
+    }
+
+    /// Finds one jump between places on different sides; then those that may stand before and behind it.
+    template <class Take>
+    bool pass_jump(Place& a, Place& b, const Take& take) const {
+        Place before = a;
+        Place behind = b;
+        while (behind.t() - before.t() > least_) {
+            Place middle(*this, 0.5 * (before.t() + behind.t()));
+            if (!(middle.t() > before.t() && middle.t() < behind.t())) break;
+            (middle.below() == before.below() ? before : behind) = middle;
+        }
+        return (before.t() == a.t() || halve(a, before, nullptr, take)) &&
+               go_on(Found::one, before, behind, nullptr, take) &&
+               (behind.t() == b.t() || halve(behind, b, nullptr, take));
     }
 
     /// In steps as long as the slope allows, if the value goes on as it did in the last one.
@@ -155,7 +175,7 @@ private:
         return height > reach * (1.0 + rounding);
     }
 
-    /// `one`: no more than one, which the signs at the ends tell.
+    /// `one`: no more than one, which the signs at the ends tell; `jump`: any number, jumps too.
     Found look(Place& a, Place& b) const {
         std::array<IntervalSlope, 3> place;
         for (int i = 0; i < 3; ++i) {
@@ -169,9 +189,10 @@ private:
             return Found::none;
         }
         const Interval& s = v.slope;
+        if (!s.maybe_nan && (s.lo > 0.0 || s.hi < 0.0)) return sides(a, b);
+        if (s.has_infinity()) return Found::jump;
         if (s.maybe_nan) return Found::unclear;
-        if (s.lo > 0.0 || s.hi < 0.0) return sides(a, b);
-        if (a.below() != b.below() || s.has_infinity()) return Found::unclear;
+        if (a.below() != b.below()) return Found::unclear;
         return lines_miss_zero(a, b, s) ? Found::none : Found::unclear;
     }
 
