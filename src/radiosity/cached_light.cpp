@@ -21,6 +21,9 @@ std::vector<uint32_t> spread_order(size_t count) {
     return order;
 }
 
+/// Of a pixel: what matters to no more may be gathered by fewer rays.
+constexpr float small_part = 0.3f;
+
 }  // namespace
 
 CachedLight::CachedLight(const RayGather& rays, const Vec3& eye, bool with_surfels) : rays_(rays), eye_(eye) {
@@ -52,16 +55,23 @@ void CachedLight::gather(std::span<const IndirectPlace> places, int depth, std::
             gaps[gap_count++] = static_cast<uint32_t>(i);
         }
     }
-    fill(places, gaps.first(gap_count), depth, mean);
+    const auto missing = gaps.first(gap_count);
+    if (depth == 0) {
+        const auto rest =
+            std::ranges::partition(missing, [&](uint32_t i) { return places[i].share > small_part; });
+        fill(places, missing.first(gap_count - rest.size()), depth, rays_.pixel_grid(), mean);
+        fill(places, missing.last(rest.size()), depth, rays_.part_grid(), mean);
+    } else {
+        fill(places, missing, depth, rays_.coarse_grid(), mean);
+    }
     interpolations_.fetch_add(places.size() - gap_count, std::memory_order_relaxed);
     gaps_[depth == 0 ? 0 : 1].fetch_add(gap_count, std::memory_order_relaxed);
 }
 
 /// Gathers at those of the places that are not known.
 void CachedLight::fill(std::span<const IndirectPlace> places, std::span<const uint32_t> gaps, int depth,
-                       std::span<Rgb> mean) const {
+                       const HemisphereGrid& grid, std::span<Rgb> mean) const {
     if (gaps.empty()) return;
-    const HemisphereGrid& grid = depth == 0 ? rays_.pixel_grid() : rays_.coarse_grid();
     GatherTask task{depth, &grid, next(depth), false, surfels_at(depth)};
     if (depth == 0) task.outlooks = &outlooks_;
     Scratch::Scope memory(thread_scratch());

@@ -47,7 +47,7 @@ public:
 
 private:
     void fill(std::span<const IndirectPlace> places, std::span<const uint32_t> gaps, int depth,
-              std::span<Rgb> mean) const;
+              const HemisphereGrid& grid, std::span<Rgb> mean) const;
     uint64_t made_for() const;
     void compare(std::span<const IrradianceRecord> records);
     const SurfelGrid* surfels_at(int depth) const;

@@ -48,6 +48,8 @@ public:
 
     /// Of places that matter to a pixel or two: their noise shows less than that of a record that many use.
     const HemisphereGrid& pixel_grid() const { return pixel_grid_; }
+    /// Of places that matter to a part of a pixel.
+    const HemisphereGrid& part_grid() const { return part_grid_; }
     /// A few directions, for places of which many are seen by one that gathers.
     const HemisphereGrid& coarse_grid() const { return coarse_grid_; }
 
@@ -73,6 +75,7 @@ private:
     GatherQuality quality_;
     std::vector<HemisphereGrid> grids_;  ///< by depth
     HemisphereGrid pixel_grid_;
+    HemisphereGrid part_grid_;
     HemisphereGrid coarse_grid_;
     mutable std::atomic<uint64_t> gathers_{0};
     mutable std::atomic<uint64_t> rays_{0};

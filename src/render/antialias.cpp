@@ -30,18 +30,21 @@ Radiance mean(std::span<const CameraRay> rays, std::span<const Radiance> lights)
 
 }  // namespace
 
-void Sampler::sample(std::span<const Vec2> positions, std::span<Radiance> out) {
+void Sampler::sample(std::span<const Vec2> positions, std::span<Radiance> out, float share) {
     if (lens_.is_open()) return sample_through_lens(positions, out);
-    if (rays_.rays_per_position() > 1) return sample_several(positions, out);
+    if (rays_.rays_per_position() > 1) return sample_several(positions, out, share);
     Scratch::Scope memory(thread_scratch());
     const auto batch = memory.take<CameraRay>(positions.size());
     rays_.at(positions, batch);
-    for (size_t i = 0; i < positions.size(); ++i) batch[i].seed = seed_at(positions[i]);
+    for (size_t i = 0; i < positions.size(); ++i) {
+        batch[i].seed = seed_at(positions[i]);
+        batch[i].share = share;
+    }
     integrator_.trace(batch, out, counters_, indirect_);
 }
 
 /// The mean over those rays of a position that exist; as many positions at once as fill a batch.
-void Sampler::sample_several(std::span<const Vec2> positions, std::span<Radiance> out) {
+void Sampler::sample_several(std::span<const Vec2> positions, std::span<Radiance> out, float share) {
     constexpr size_t usual_batch = 1024;
     const auto several = static_cast<size_t>(rays_.rays_per_position());
     const size_t at_once = std::max<size_t>(usual_batch / several, 1);
@@ -56,6 +59,7 @@ void Sampler::sample_several(std::span<const Vec2> positions, std::span<Radiance
             const size_t k = i % several;
             batch[i].exists = rays_.at(p.x, p.y, static_cast<int>(k), batch[i].ray);
             batch[i].seed = mixed(seed_at(p), k);
+            batch[i].share = share / static_cast<float>(several);
         }
         integrator_.trace(batch.first(count), lights.first(count), counters_, indirect_);
         for (size_t i = 0; i < places.size(); ++i) {
@@ -237,7 +241,7 @@ private:
             }
         }
         const auto samples = memory.take<Radiance>(positions.size());
-        sampler_.sample(positions, samples);
+        sampler_.sample(positions, samples, 1.0f / static_cast<float>(per_pixel + 1));
         for (size_t k = 0; k < wanted.size(); ++k) {
             const size_t pixel = wanted[k];
             Radiance sum = center_[pixel].light;
@@ -403,7 +407,8 @@ private:
             positions.emplace_back(px + jitter.x, py + jitter.y);
         }
         std::vector<Radiance> samples(positions.size());
-        sampler_.sample(positions, samples);
+        constexpr float of_a_cell = 0.25f;
+        sampler_.sample(positions, samples, of_a_cell);
         for (size_t k = 0; k < wanted_.size(); ++k)
             pixels_[wanted_[k].pixel].emplace(wanted_[k].key, distance_.comparable(samples[k]));
     }

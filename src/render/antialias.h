@@ -54,10 +54,11 @@ public:
         return mixed(mixed(seed_, std::bit_cast<uint64_t>(position.x)), std::bit_cast<uint64_t>(position.y));
     }
 
-    void sample(std::span<const Vec2> positions, std::span<Radiance> out);
+    /// `share`: as CameraRay::share.
+    void sample(std::span<const Vec2> positions, std::span<Radiance> out, float share = 1.0f);
 
 private:
-    void sample_several(std::span<const Vec2> positions, std::span<Radiance> out);
+    void sample_several(std::span<const Vec2> positions, std::span<Radiance> out, float share);
     void sample_through_lens(std::span<const Vec2> positions, std::span<Radiance> out);
 
     const Integrator& integrator_;

@@ -16,6 +16,7 @@ struct IndirectPlace {
     uint32_t member = 0;
     double error = 0;
     uint64_t seed = 0;  ///< decides its random draws
+    float share = 1;    ///< of a pixel that it matters to, about
 };
 
 /// Answers how much light arrives from other surfaces and the sky. Implementations are safe to call from many

@@ -45,10 +45,10 @@ void IndirectShading::gather(Side side, float diffuse, std::span<const LitRow> r
         const HitPoint& hit = state_.hits[row.hit];
         const double sign = side == front ? 1.0 : -1.0;
         const Vec3 normal = perturbed ? row.place.normal : hit.normal;
-        const uint64_t seed =
-            mixed(state_.ray_of(hit).seed, draw_indirect_light + static_cast<uint64_t>(side));
-        places[count] = {hit.point, sign * normal, sign * hit.normal, hit.leaf,
-                         hit.part,  hit.member,    hit.error,         seed};
+        const PathRay& ray = state_.ray_of(hit);
+        const uint64_t seed = mixed(ray.seed, draw_indirect_light + static_cast<uint64_t>(side));
+        places[count] = {hit.point, sign * normal, sign * hit.normal,         hit.leaf, hit.part, hit.member,
+                         hit.error, seed,          ray.share * ray.importance};
         asking[count++] = row.root;
     }
     const auto mean = memory.take<Rgb>(count);

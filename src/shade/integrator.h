@@ -23,6 +23,7 @@ struct CameraRay {
         true;  ///< false where the camera makes no ray (outside a fisheye's circle): black, transmit 1
     uint64_t seed =
         0;  ///< decides every random draw along this ray's path; a function of pixel and sample only
+    float share = 1;  ///< of a pixel that it tells, about: of less it may tell less exactly
 };
 
 struct ShadingOptions {

@@ -114,6 +114,7 @@ void RayStream::start(std::span<const CameraRay> rays) {
         ray.ray = rays[i].ray;
         ray.slot = static_cast<uint32_t>(i);
         ray.seed = rays[i].seed;
+        ray.share = rays[i].share;
     }
     state_.counters.camera = state_.rays.size();
 }

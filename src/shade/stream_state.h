@@ -43,6 +43,7 @@ struct PathRay {
     Rgb weight{1.0f};      ///< factor for its light
     float alpha = 1;       ///< factor for its transmit
     float importance = 1;  ///< what adc_bailout is compared with
+    float share = 1;       ///< as CameraRay::share
     float wavelength = 0;  ///< nm; 0: all of them
     InteriorList inside;
     uint64_t seed = 0;

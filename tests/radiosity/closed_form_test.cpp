@@ -203,6 +203,23 @@ TEST(Interpolation, AlwaysSampleGathersMore) {
     EXPECT_GT(gaps("on"), 2 * gaps("off") + 100);
 }
 
+/// Samples that are a tenth of a pixel gather by fewer rays than whole pixels.
+TEST(Interpolation, PartsOfPixelsGatherLess) {
+    const auto at_depth = [](int depth) {
+        RenderOptions options;
+        options.antialias.method = 1;
+        options.antialias.threshold = 0.0;
+        options.antialias.depth = depth;
+        return *rendered(GiMode::points, "count 100 always_sample on nearest_count 20", several, 32, options)
+                    .radiosity;
+    };
+    const auto four = at_depth(2);
+    const auto many = at_depth(4);
+    constexpr double rays_of_a_pixel = 50.0;
+    EXPECT_LT(static_cast<double>(many.rays - four.rays),
+              0.5 * rays_of_a_pixel * static_cast<double>(many.gaps[0] - four.gaps[0]));
+}
+
 /// In a closed sphere each surfel sends out what the sphere does without further bounces.
 TEST(Surfels, AreSeen) {
     RenderOptions options;
