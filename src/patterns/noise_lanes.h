@@ -243,12 +243,74 @@ struct PointBlock {
 // The places of a whole block are found before the first noise is mixed: what comes after the other waits for
 // memory less.
 
+/// The octaves of one point, side by side as points of a block are.
+template <class Lanes>
+struct OctavesOfOne {
+    static constexpr size_t most = PointBlock<Lanes>::most;
+    size_t blocks;
+    LanePlace<Lanes> at[most];
+
+    template <class Cells>
+    RB_INLINE OctavesOfOne(const Cells& cells, const Vec3& p, const Octaves& octaves) {
+        const auto count = static_cast<size_t>(octaves.count);
+        Vec3 scaled[std::tuple_size_v<decltype(octaves.scale)>];
+        for (size_t i = 0; i < count; ++i) scaled[i] = p * octaves.scale[i];
+        const PointBlock<Lanes> block(std::span<const Vec3>(scaled, count), 1.0);
+        blocks = block.count;
+        for (size_t k = 0; k < blocks; ++k) place(cells, block.points[k], 1.0, block.in_lanes[k], at[k]);
+    }
+};
+
+/// sum_octaves() of a single point.
+template <class Lanes, class Noise, class Fold>
+RB_INLINE double sum_octaves_of_one(const Noise& noise, const Vec3& p, const Octaves& octaves,
+                                    const Fold& fold) {
+    const OctavesOfOne<Lanes> octave(noise.cells, p, octaves);
+    typename Lanes::Numbers noises[OctavesOfOne<Lanes>::most][1];
+    for (size_t k = 0; k < octave.blocks; ++k) {
+        mix<1, Noise::has_value>(octave.at[k], noise.cells, 0, noises[k]);
+        noise.into_range(noises[k][0]);
+    }
+    double sum = 0;
+    for (size_t i = 0; i < static_cast<size_t>(octaves.count); ++i) {
+        double value = noises[i / Lanes::count][0][i % Lanes::count];
+        fold(value, static_cast<int>(i));
+        value *= octaves.weight[i];
+        sum = i == 0 ? value : sum + value;
+    }
+    return sum;
+}
+
+/// sum_vector_octaves() of a single point.
+template <class Lanes, class Fold>
+RB_INLINE Vec3 sum_vector_octaves_of_one(const Vec3& p, const Octaves& octaves, const Fold& fold) {
+    const Lattice cells;
+    const OctavesOfOne<Lanes> octave(cells, p, octaves);
+    typename Lanes::Numbers noises[OctavesOfOne<Lanes>::most][3];
+    for (size_t k = 0; k < octave.blocks; ++k) mix<3, true>(octave.at[k], cells, 16, noises[k]);
+    Vec3 sum{0.0};
+    for (size_t i = 0; i < static_cast<size_t>(octaves.count); ++i) {
+        Vec3 value;
+        for (int axis = 0; axis < 3; ++axis) {
+            double v = noises[i / Lanes::count][axis][i % Lanes::count];
+            fold(v);
+            value[axis] = v * octaves.weight[i];
+        }
+        sum = i == 0 ? value : sum + value;
+    }
+    return sum;
+}
+
 /// values[i] = the sum over the octaves of weight * fold(noise(scale * point)). `fold` changes the noise
 /// values of several points in place and is told the number of the octave.
 template <class Lanes, class Noise, class Fold>
 RB_INLINE void sum_octaves(const Noise& noise, std::span<const Vec3> points, const Octaves& octaves,
                            const Fold& fold, std::span<double> values) {
     using Points = PointBlock<Lanes>;
+    if (points.size() == 1) {
+        values[0] = sum_octaves_of_one<Lanes>(noise, points[0], octaves, fold);
+        return;
+    }
     const double bound = octaves.scale_bound();
     for (size_t first = 0; first < points.size(); first += 16) {
         const Points block(points.subspan(first, std::min(points.size() - first, size_t{16})), bound);
@@ -282,6 +344,10 @@ RB_INLINE void sum_vector_octaves(std::span<const Vec3> points, const Octaves& o
                                   const Take& take) {
     using Points = PointBlock<Lanes>;
     using Numbers = typename Lanes::Numbers;
+    if (points.size() == 1) {
+        take(0, sum_vector_octaves_of_one<Lanes>(points[0], octaves, fold));
+        return;
+    }
     const double bound = octaves.scale_bound();
     const Lattice cells;
     for (size_t first = 0; first < points.size(); first += 16) {

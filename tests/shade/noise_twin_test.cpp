@@ -272,7 +272,7 @@ TEST(NoiseTwin, ByFours) {
         for (int g = 1; g <= 3; ++g) {
             with_noise(g, [&](const auto& noise) {
                 sum_octaves<Quads>(
-                    noise, batch, octaves, [](Quad&, int) {}, sums);
+                    noise, batch, octaves, [](auto&, int) {}, sums);
             });
             expect_values(batch, sums, [&](const Vec3& p) {
                 double sum = 0;
@@ -284,7 +284,7 @@ TEST(NoiseTwin, ByFours) {
             });
         }
         sum_vector_octaves<Quads>(
-            batch, octaves, [](Quad&) {},
+            batch, octaves, [](auto&) {},
             [&](size_t i, const Vec3& sum) {
                 const Vec3 expected = vector_turbulence_twin(batch[i], shape);
                 for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(same(sum[axis], expected[axis]));
