@@ -7,8 +7,6 @@ namespace rb {
 
 /// A value in a range, which may jump.
 inline IntervalSlope somewhere_in(double lo, double hi) { return IntervalSlope::jumping({lo, hi}); }
-/// What jumps: the largest whole number not above `v`.
-inline IntervalSlope floor(const IntervalSlope& v) { return IntervalSlope::jumping(floor(v.value)); }
 /// v - floor(v), from 0 to 1.
 IntervalSlope fraction(const IntervalSlope& v);
 /// triangle() of formula.h.
