@@ -68,13 +68,26 @@ std::vector<Vec3> points_of(std::span<const double* const> coordinates, size_t c
     return points;
 }
 
-LinePlace standing(std::span<const Interval> a) { return {{{a[0], 0.0}, {a[1], 0.0}, {a[2], 0.0}}}; }
+/// A function of a place: f(x, y, z).
+class PlaceFunction : public Function {
+public:
+    int parameter_count() const final { return 3; }
+    Interval bound(std::span<const Interval> a, int component) const final {
+        const LinePlace standing{{{a[0], 0.0}, {a[1], 0.0}, {a[2], 0.0}}};
+        return bound_along(standing, component).value;
+    }
+    IntervalSlope bound_slope(std::span<const IntervalSlope> a, int component) const final {
+        return bound_along({a[0], a[1], a[2]}, component);
+    }
 
-class PatternFunction final : public Function {
+protected:
+    virtual IntervalSlope bound_along(const LinePlace& place, int component) const = 0;
+};
+
+class PatternFunction final : public PlaceFunction {
 public:
     PatternFunction(PatternPtr pattern, const PatternModifiers& modifiers, const GlobalSettings& settings)
         : field_(std::move(pattern), modifiers, settings_of(settings)) {}
-    int parameter_count() const override { return 3; }
     int result_count() const override { return 1; }
     void evaluate(std::span<const double> a, std::span<double> result) const override {
         std::array<Vec3, 1> point{Vec3{a[0], a[1], a[2]}};
@@ -86,22 +99,17 @@ public:
         field_.carry(points);
         field_.values({points}, results);
     }
-    Interval bound(std::span<const Interval> a, int) const override {
-        return field_.bound(standing(a)).value;
-    }
-    IntervalSlope bound_slope(std::span<const IntervalSlope> a, int) const override {
-        return field_.bound({a[0], a[1], a[2]});
-    }
 
 private:
+    IntervalSlope bound_along(const LinePlace& place, int) const override { return field_.bound(place); }
+
     PatternField field_;
 };
 
-class PigmentFunction final : public Function {
+class PigmentFunction final : public PlaceFunction {
 public:
     PigmentFunction(const Pigment& pigment, const GlobalSettings& settings)
         : program_(pigment, settings_of(settings)) {}
-    int parameter_count() const override { return 3; }
     int result_count() const override { return 5; }
     void evaluate(std::span<const double> a, std::span<double> result) const override {
         const std::array<Vec3, 1> point{Vec3{a[0], a[1], a[2]}};
@@ -116,40 +124,35 @@ public:
         program_.evaluate({points}, colors);
         for (size_t i = 0; i < colors.size(); ++i) write(colors[i], results.subspan(5 * i, 5));
     }
-    Interval bound(std::span<const Interval> a, int component) const override {
-        return program_.bound(standing(a), component).value;
-    }
-    IntervalSlope bound_slope(std::span<const IntervalSlope> a, int component) const override {
-        return program_.bound({a[0], a[1], a[2]}, component);
-    }
 
 private:
+    IntervalSlope bound_along(const LinePlace& place, int component) const override {
+        return program_.bound(place, component);
+    }
+
     /// As many of its terms as there is room for.
     static void write(const Color& c, std::span<double> to) {
-        const std::array terms{c.red, c.green, c.blue, c.filter, c.transmit};
+        const auto terms = c.terms();
         std::copy_n(terms.begin(), std::min(terms.size(), to.size()), to.begin());
     }
 
     PigmentProgram program_;
 };
 
-class TransformFunction final : public Function {
+class TransformFunction final : public PlaceFunction {
 public:
     explicit TransformFunction(const Transform& map) : map_(map) {}
-    int parameter_count() const override { return 3; }
     int result_count() const override { return 3; }
     void evaluate(std::span<const double> a, std::span<double> result) const override {
         const Vec3 p = map_.point({a[0], a[1], a[2]});
         for (size_t i = 0; i < 3 && i < result.size(); ++i) result[i] = p[static_cast<int>(i)];
     }
-    Interval bound(std::span<const Interval> a, int component) const override {
-        return carried(standing(a), map_.forward)[static_cast<size_t>(component)].value;
-    }
-    IntervalSlope bound_slope(std::span<const IntervalSlope> a, int component) const override {
-        return carried({a[0], a[1], a[2]}, map_.forward)[static_cast<size_t>(component)];
-    }
 
 private:
+    IntervalSlope bound_along(const LinePlace& place, int component) const override {
+        return carried(place, map_.forward)[static_cast<size_t>(component)];
+    }
+
     Transform map_;
 };
 

@@ -1,8 +1,8 @@
 #include "language/internal_functions.h"
 
 #include "language/function_code.h"
+#include "patterns/line_bound.h"
 #include "patterns/noise.h"
-#include "patterns/noise_bound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,26 +55,11 @@ struct Place3 {
     Place3 times(const T& f) const { return {x * f, y * f, z * f}; }
 };
 double noise_at(const Place3<double>& p, int generator) { return noise(Vec3{p.x, p.y, p.z}, generator); }
-bool leaves_lattice(const Place3<Interval>& p) {
-    return std::ranges::any_of(std::array{p.x, p.y, p.z},
-                               [](const Interval& v) { return v.maybe_nan || !(v.lo > -2e9 && v.hi < 2e9); });
-}
-/// Only the range: a closer look costs as much as many values.
-Interval noise_at(const Place3<Interval>& p, int generator) {
-    if (leaves_lattice(p)) return Interval::everything();
-    if (!p.x.is_point() || !p.y.is_point() || !p.z.is_point()) return {0, 1};
-    return noise(Vec3{p.x.lo, p.y.lo, p.z.lo}, generator);
-}
 IntervalSlope noise_at(const Place3<IntervalSlope>& p, int generator) {
-    const Place3<Interval> place{p.x.value, p.y.value, p.z.value};
-    if (leaves_lattice(place)) return IntervalSlope::everything();
-    const NoiseBound bound =
-        bound_noise({{place.x.lo, place.y.lo, place.z.lo}, {place.x.hi, place.y.hi, place.z.hi}}, generator);
-    const auto along = [](const Interval& slope, const IntervalSlope& q) {
-        return is_constant(q) ? Interval(0) : slope * q.slope;
-    };
-    return {bound.value,
-            along(bound.slopes[0], p.x) + along(bound.slopes[1], p.y) + along(bound.slopes[2], p.z)};
+    return bound_noise({p.x, p.y, p.z}, generator);
+}
+Interval noise_at(const Place3<Interval>& p, int generator) {
+    return bound_noise({{{p.x, 0.0}, {p.y, 0.0}, {p.z, 0.0}}}, generator).value;
 }
 template <class T>
 T signed_noise(const Place3<T>& p, int generator) {

@@ -1,6 +1,8 @@
 #pragma once
 #include "math/interval.h"
 
+#include <array>
+
 namespace rb {
 
 /// What a function of one variable does over an interval of it: `value` holds its values, `slope` every
@@ -20,11 +22,19 @@ struct IntervalSlope {
         : value(v), slope(v.maybe_nan ? Interval::everything() : s) {}
 
     static IntervalSlope everything() { return {Interval::everything(), Interval::everything()}; }
+    /// What is finite, and not known.
+    static IntervalSlope any_number() {
+        constexpr double inf = std::numeric_limits<double>::infinity();
+        return {Interval(-inf, inf), Interval::everything()};
+    }
     /// Of a function that may jump; it does not if it has but one value.
     static IntervalSlope jumping(const Interval& v) {
         return {v, v.is_point() ? Interval(0) : Interval::everything()};
     }
 };
+
+/// Places along a line in space: coordinates over an interval of it, and their slopes.
+using LinePlace = std::array<IntervalSlope, 3>;
 
 /// Its slope is exactly 0.
 inline bool is_constant(const IntervalSlope& a) { return a.slope.is_point() && a.slope.lo == 0; }

@@ -1,14 +1,13 @@
 // checker COLOR, COLOR   (manual 3.4.7.1.4): unit cubes of two kinds in turn.
 #include "patterns/formula.h"
 #include "patterns/line_bound.h"
+#include "patterns/noise.h"
 
 #include <array>
 
 namespace rb {
 
 namespace {
-
-constexpr double epsilon = 1e-10;
 
 class Checker final : public Pattern {
 public:
@@ -17,14 +16,13 @@ public:
                   std::span<double> values) const override {
         for (size_t i = 0; i < points.size(); ++i) {
             const Vec3& p = points[i];
-            const double cell =
-                quick_floor(p.x + epsilon) + quick_floor(p.y + epsilon) + quick_floor(p.z + epsilon);
+            const double cell = quick_floor(p.x + tiny) + quick_floor(p.y + tiny) + quick_floor(p.z + tiny);
             values[i] = is_odd(cell) ? 1.0 : 0.0;
         }
     }
     IntervalSlope bound(const PatternContext&, const LinePlace& place) const override {
-        const Interval cell = floor(place[0].value + epsilon) + floor(place[1].value + epsilon) +
-                              floor(place[2].value + epsilon);
+        const Interval cell =
+            floor(place[0].value + tiny) + floor(place[1].value + tiny) + floor(place[2].value + tiny);
         // Sums of whole numbers are exact but for the bound on their rounding.
         const Interval whole{std::ceil(cell.lo), std::floor(cell.hi)};
         if (!whole.is_point()) return somewhere_in(0.0, 1.0);

@@ -93,7 +93,8 @@ public:
     }
 
     IntervalSlope bound(const PatternContext&, const LinePlace&) const override {
-        return interpolation == GridInterpolation::cubic ? any_number() : somewhere_in(0.0, 1.0);
+        return interpolation == GridInterpolation::cubic ? IntervalSlope::any_number()
+                                                         : somewhere_in(0.0, 1.0);
     }
 
     const DensityGrid grid;

@@ -1,7 +1,7 @@
 // granite (manual 3.4.7.1.18): six octaves of noise folded at one half.
 #include "patterns/formula.h"
 #include "patterns/line_bound.h"
-#include "patterns/noise_lanes.h"
+#include "patterns/octave_sums.h"
 
 namespace rb {
 

@@ -1,5 +1,6 @@
 #include "patterns/line_bound.h"
 
+#include "patterns/noise.h"
 #include "patterns/noise_bound.h"
 
 #include <algorithm>
@@ -57,14 +58,28 @@ LinePlace carried(const LinePlace& place, const Affine& map) {
 }
 
 IntervalSlope bound_noise(const LinePlace& place, int generator) {
-    const auto leaves_lattice = [](const IntervalSlope& v) {
-        return !(v.value.lo > -2e9 && v.value.hi < 2e9);
+    const auto all = [&](const auto& is) { return std::ranges::all_of(place, is); };
+    const auto reaches = [](double limit) {
+        return [limit](const IntervalSlope& v) {
+            return !v.value.maybe_nan && v.value.lo > -limit && v.value.hi < limit;
+        };
     };
-    if (std::ranges::all_of(place, is_constant)) return {{0.0, 1.0}, 0.0};
-    if (std::ranges::any_of(place, leaves_lattice)) return somewhere_in(0.0, 1.0);
-    const NoiseBound bound = bound_noise({{place[0].value.lo, place[1].value.lo, place[2].value.lo},
-                                          {place[0].value.hi, place[1].value.hi, place[2].value.hi}},
-                                         generator);
+    // Beyond, weights overflow.
+    constexpr double finite = 1e50;
+    if (!all(reaches(finite))) return IntervalSlope::everything();
+    if (all(is_constant)) {
+        const Vec3 p{place[0].value.lo, place[1].value.lo, place[2].value.lo};
+        const bool is_point = all([](const IntervalSlope& v) { return v.value.is_point(); });
+        return is_point ? IntervalSlope(noise(p, generator)) : IntervalSlope({0.0, 1.0}, 0.0);
+    }
+    constexpr double lattice = 2e9;
+    if (!all(reaches(lattice))) return somewhere_in(0.0, 1.0);
+    Bounds box;
+    for (int i = 0; i < 3; ++i) {
+        box.lo[i] = place[static_cast<size_t>(i)].value.lo;
+        box.hi[i] = place[static_cast<size_t>(i)].value.hi;
+    }
+    const NoiseBound bound = bound_noise(box, generator);
     Interval slope(0.0);
     for (size_t i = 0; i < 3; ++i) {
         if (!is_constant(place[i])) slope += bound.slopes[i] * place[i].slope;

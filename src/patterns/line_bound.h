@@ -29,9 +29,9 @@ IntervalSlope length(std::span<const IntervalSlope> v);
 LinePlace scaled(const LinePlace& place, double factor);
 LinePlace carried(const LinePlace& place, const Affine& map);
 
-/// noise(). Where the place does not move only its range: a closer look costs as much as many values.
+/// noise(). Of places that do not move only the range: a closer look costs as much as many values.
 IntervalSlope bound_noise(const LinePlace& place, int generator);
-/// sum_octaves() of noise_lanes.h; `fold` gives what becomes of a noise value, which is not negative.
+/// sum_octaves() of octave_sums.h; `fold` gives what becomes of a noise value, which is not negative.
 template <class Fold>
 IntervalSlope bound_octaves(const LinePlace& place, const auto& octaves, int generator, const Fold& fold) {
     IntervalSlope sum(0.0);

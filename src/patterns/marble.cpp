@@ -24,7 +24,7 @@ public:
     }
     IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
         const TurbulenceWarp* classic = context.modifiers.classic_turbulence();
-        return classic && classic->amount.x != 0.0 ? any_number() : place[0];
+        return classic && classic->amount.x != 0.0 ? IntervalSlope::any_number() : place[0];
     }
 };
 

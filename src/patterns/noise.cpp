@@ -1,6 +1,6 @@
 #include "patterns/noise.h"
 
-#include "patterns/noise_lanes.h"
+#include "patterns/octave_sums.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 #include "patterns/registry.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -23,14 +22,13 @@ ColorMap default_map_of(const Pattern& pattern) {
     return {{0.0f, {0, 0, 0, 0, 0}}, {1.0f, {1, 1, 1, 0, 0}}};
 }
 
-float term_of(const Color& c, int term) {
-    return std::array{c.red, c.green, c.blue, c.filter, c.transmit}[static_cast<size_t>(term)];
-}
+double term_of(const Color& c, int term) { return c.terms()[static_cast<size_t>(term)]; }
 
-/// With what single precision may have made of it, where values within `all` are mixed.
-Interval widened(const Interval& v, const Interval& all) {
-    constexpr double rounding = 1e-6;
-    const double slack = rounding * std::max(std::abs(all.lo), std::abs(all.hi));
+void include(const Interval& more, std::optional<Interval>& all) { all = all ? hull(*all, more) : more; }
+
+/// With what single precision may have made of it, where values up to `largest` are mixed.
+Interval widened(const Interval& v, double largest) {
+    const double slack = 1e-6 * largest;
     return {v.lo - slack, v.hi + slack, v.maybe_nan};
 }
 
@@ -49,6 +47,7 @@ struct PigmentProgram::Map {
     bool take(const Pigment& pigment, const PatternSettings& settings);
     void evaluate(const PatternSamples& samples, std::span<Color> out) const;
     IntervalSlope bound(const LinePlace& place, int term) const;
+    Interval range(int term) const;
 
     Kind kind = Kind::colors;
     bool uv_mapping = false;
@@ -65,7 +64,6 @@ private:
     void evaluate_average(const PatternSamples& carried, std::span<Color> out) const;
     Color color_at(double value) const;
     IntervalSlope bound_colors(const IntervalSlope& at, int term) const;
-    Interval bound_all(int term) const;
 };
 
 PigmentProgram::PigmentProgram(const Pigment& pigment, const PatternSettings& settings, bool quick) {
@@ -216,68 +214,62 @@ void PigmentProgram::Map::evaluate_average(const PatternSamples& moved, std::spa
 }
 
 IntervalSlope PigmentProgram::bound(const LinePlace& place, int term) const {
-    return map_ ? map_->bound(place, term) : IntervalSlope(double{term_of(color_, term)});
+    return map_ ? map_->bound(place, term) : IntervalSlope(term_of(color_, term));
+}
+
+Interval PigmentProgram::range(int term) const {
+    return map_ ? map_->range(term) : Interval(term_of(color_, term));
 }
 
 IntervalSlope PigmentProgram::Map::bound(const LinePlace& place, int term) const {
-    switch (kind) {
-        case Kind::colors:
-            return bound_colors(field.bound(place), term);
-        case Kind::children:
-            return IntervalSlope::jumping(bound_all(term));
-        default:
-            return IntervalSlope::everything();
+    if (kind == Kind::colors && positions.sorted) {
+        const IntervalSlope at = field.bound(place);
+        if (!at.value.maybe_nan) return bound_colors(at, term);
     }
+    return IntervalSlope::jumping(range(term));
+}
+
+/// Whatever the pattern gives; nothing is known of pictures, nor of averages, whose weights may be negative.
+Interval PigmentProgram::Map::range(int term) const {
+    if (kind != Kind::colors && kind != Kind::children) return Interval::everything();
+    std::optional<Interval> all;
+    for (const Color& color : colors) include(term_of(color, term), all);
+    for (const PigmentProgram& child : children) include(child.range(term), all);
+    return widened(*all, abs(*all).hi);
 }
 
 /// Over the pieces of the map that the pattern's values meet.
 IntervalSlope PigmentProgram::Map::bound_colors(const IntervalSlope& at, int term) const {
     const Interval& v = at.value;
-    if (v.is_point()) return double{term_of(color_at(v.lo), term)};
-    const Interval all = bound_all(term);
-    if (v.maybe_nan || !positions.sorted) return IntervalSlope::jumping(all);
-    const auto value = [&](size_t k) { return double{term_of(colors[k], term)}; };
+    if (v.is_point()) return term_of(color_at(v.lo), term);
+    const auto value = [&](size_t k) { return term_of(colors[k], term); };
     const auto position = [&](size_t k) { return double{positions.positions[k]}; };
     const size_t last = colors.size() - 1;
     std::optional<Interval> values;
     std::optional<Interval> slopes;
-    const auto add = [](const Interval& more, std::optional<Interval>& sum) {
-        sum = sum ? hull(*sum, more) : more;
+    double largest = 0.0;
+    const auto include_level = [&](size_t k) {
+        include(value(k), values);
+        include(0.0, slopes);
     };
-    const auto add_level = [&](size_t k) {
-        add(value(k), values);
-        add(0.0, slopes);
-    };
-    if (v.lo < position(0)) add_level(0);
-    if (v.hi > position(last)) add_level(last);
-    bool jumps = false;
+    if (v.lo < position(0)) include_level(0);
+    if (v.hi > position(last)) include_level(last);
     for (size_t k = 1; k <= last; ++k) {
         const double from = position(k - 1);
         const double to = position(k);
         if (v.hi < from || v.lo > to) continue;
+        largest = std::max({largest, std::abs(value(k - 1)), std::abs(value(k))});
         if (from == to) {
-            jumps = jumps || value(k - 1) != value(k);
-            add(hull(value(k - 1), value(k)), values);
+            include(hull(value(k - 1), value(k)), values);
+            if (value(k - 1) != value(k)) include(Interval::everything(), slopes);
             continue;
         }
         const Interval slope = (Interval(value(k)) - value(k - 1)) / (Interval(to) - from);
         const Interval part = Interval(std::max(v.lo, from), std::min(v.hi, to)) - from;
-        add(value(k - 1) + part * slope, values);
-        add(slope, slopes);
+        include(value(k - 1) + part * slope, values);
+        include(slope, slopes);
     }
-    if (!values) add_level(last);
-    const Interval value_bound = widened(*values, all);
-    return jumps ? IntervalSlope::jumping(value_bound) : chain(value_bound, slopes.value_or(0.0), at);
-}
-
-/// Whatever the pattern gives.
-Interval PigmentProgram::Map::bound_all(int term) const {
-    std::optional<Interval> all;
-    const auto add = [&](const Interval& one) { all = all ? hull(*all, one) : one; };
-    for (const Color& color : colors) add(double{term_of(color, term)});
-    for (const PigmentProgram& child : children)
-        add(child.bound({any_number(), any_number(), any_number()}, term).value);
-    return widened(*all, *all);
+    return chain(widened(*values, largest), *slopes, at);
 }
 
 }  // namespace rb

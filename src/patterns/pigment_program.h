@@ -23,6 +23,8 @@ public:
     void evaluate(const PatternSamples& samples, std::span<Color> out) const;
     /// Holds one term of the colour (0: red ... 4: transmit) along a line.
     IntervalSlope bound(const LinePlace& place, int term) const;
+    /// Holds it everywhere.
+    Interval range(int term) const;
 
 private:
     struct Map;

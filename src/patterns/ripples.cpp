@@ -47,7 +47,9 @@ public:
         for (double& v : values) v = spread_ ? 0.2 * (2.5 + v / count) : 0.5 * (1.0 + v / count);
     }
     /// What can be proven of ten waves is far above their true slope.
-    IntervalSlope bound(const PatternContext&, const LinePlace&) const override { return any_number(); }
+    IntervalSlope bound(const PatternContext&, const LinePlace&) const override {
+        return IntervalSlope::any_number();
+    }
 
     bool perturb(const PatternContext& context, float amount, std::span<const Vec3> points,
                  std::span<Vec3> normals) const override {

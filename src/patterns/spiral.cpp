@@ -37,7 +37,8 @@ public:
     }
     IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
         const TurbulenceWarp* classic = context.modifiers.classic_turbulence();
-        if (classic && classic->amount.x != 0.0) return kind_ == 1 ? any_number() : somewhere_in(0.0, 2.0);
+        if (classic && classic->amount.x != 0.0)
+            return kind_ == 1 ? IntervalSlope::any_number() : somewhere_in(0.0, 2.0);
         const IntervalSlope radius = length(std::span(place).first(2));
         // What the arc sine loses near its ends.
         constexpr double rounding = 1e-6;

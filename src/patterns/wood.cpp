@@ -37,7 +37,8 @@ public:
         }
     }
     IntervalSlope bound(const PatternContext& context, const LinePlace& place) const override {
-        return context.modifiers.classic_turbulence() ? any_number() : length(std::span(place).first(2));
+        return context.modifiers.classic_turbulence() ? IntervalSlope::any_number()
+                                                      : length(std::span(place).first(2));
     }
 };
 

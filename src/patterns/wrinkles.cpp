@@ -1,7 +1,7 @@
 // wrinkles (manual 3.4.7.1.41): ten octaves of noise.
 #include "patterns/formula.h"
 #include "patterns/line_bound.h"
-#include "patterns/noise_lanes.h"
+#include "patterns/octave_sums.h"
 
 namespace rb {
 

@@ -95,7 +95,7 @@ RayGather::RayGather(const World& world, const ShadingOptions& options, double e
     : program_(world, options, RayPurpose::gather),
       quality_(*world.settings.radiosity, error),
       pixel_grid_(std::max(few_rays, quality_.rays.front() / 2)),
-      part_grid_(std::max(few_rays, quality_.rays.front() / 8)),
+      part_grid_(std::max(few_rays, quality_.rays.front() / 2 / 4)),
       coarse_grid_(few_rays) {
     program_.photons = std::move(photons);
     for (const int rays : quality_.rays) grids_.emplace_back(rays);

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 
 #include <glm/vec3.hpp>
 
@@ -18,6 +19,7 @@ struct Color {
     float transmit = 0;
 
     Rgb rgb() const { return {red, green, blue}; }
+    std::array<float, 5> terms() const { return {red, green, blue, filter, transmit}; }
     friend bool operator==(const Color&, const Color&) = default;
 };
 

@@ -3,7 +3,6 @@
 #include "math/transform.h"
 #include "scene/color.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -88,12 +87,6 @@ struct PatternContext {
     const SurfaceSamples* surface = nullptr;  ///< null where there is no surface (sky, functions)
     std::span<const uint32_t> rows;           ///< for each point its row in `surface`
 };
-
-/// Places along a line: coordinates over an interval of it, and their slopes.
-using LinePlace = std::array<IntervalSlope, 3>;
-
-/// What is finite, and not known.
-inline IntervalSlope any_number() { return {Interval(-infinity, infinity), Interval::everything()}; }
 
 /// A scalar field over space: `bozo`, `checker`, ... Immutable and shared.
 class Pattern {

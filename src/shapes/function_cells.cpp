@@ -105,8 +105,8 @@ Bounds FunctionCells::hull(bool with_above, bool with_below) const {
     return {box_.lo + step_ * Vec3(lo), glm::min(box_.lo + step_ * Vec3(hi), box_.hi)};
 }
 
-std::array<IntervalSlope, 3> FunctionCells::along(int axis, const Bounds& box) {
-    std::array<IntervalSlope, 3> place;
+LinePlace FunctionCells::along(int axis, const Bounds& box) {
+    LinePlace place;
     for (int i = 0; i < 3; ++i)
         place[static_cast<size_t>(i)] = {{box.lo[i], box.hi[i]}, Interval(i == axis ? 1.0 : 0.0)};
     return place;

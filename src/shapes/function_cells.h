@@ -21,7 +21,7 @@ enum class CellSign : uint8_t { unclear, above, below };
 class FunctionCells {
 public:
     using Value = std::function<Interval(const Bounds&)>;
-    using Bound = std::function<IntervalSlope(const std::array<IntervalSlope, 3>& place)>;
+    using Bound = std::function<IntervalSlope(const LinePlace& place)>;
 
     /// `value` holds every value of the function at a place; it is kept. Big boxes are asked first.
     FunctionCells(const Bounds& box, Value value);
@@ -51,7 +51,7 @@ public:
     }
 
     /// The places of a box, as seen by one who moves along an axis.
-    static std::array<IntervalSlope, 3> along(int axis, const Bounds& box);
+    static LinePlace along(int axis, const Bounds& box);
 
     static constexpr int side = 16;
     static constexpr double cell_share = 1.0 / side;  ///< of the box, along each axis

@@ -124,7 +124,7 @@ bool has_bounded_slopes(const IsosurfaceData& data) {
     const Vec3 cell = data.box.size() * FunctionCells::cell_share;
     for (uint64_t i = 0; i < samples; ++i) {
         const Vec3 p = random_place(data.box, i);
-        std::array<IntervalSlope, 3> place;
+        LinePlace place;
         for (int k = 0; k < 3; ++k) place[static_cast<size_t>(k)] = {{p[k], p[k] + cell[k]}, Interval(1.0)};
         const Interval slope = data.function->bound_slope(place, 0).slope;
         if (slope.maybe_nan || slope.has_infinity()) return false;

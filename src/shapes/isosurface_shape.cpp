@@ -45,8 +45,9 @@ struct Isosurface::Span {
 };
 
 /// Finds the zeros along one ray in ascending order: pieces that surely hold none are left out, where the
-/// value surely rises or falls a change of sign is one zero; the others are halved down to the resolution.
-/// Functions with loose bounds are stepped through first.
+/// value surely rises or falls a change of sign is one zero; the others are stepped through, as far as what
+/// is known of their slope allows, and steps that may hold a zero are halved down to the resolution. Where
+/// the slope is not known, intervals look at once; loose ones are no help, and max_gradient is trusted.
 class Isosurface::Search {
 public:
     Search(const Isosurface& shape, const ShapeRay& query, double level)
@@ -177,7 +178,7 @@ private:
 
     /// `one`: no more than one, which the signs at the ends tell; `jump`: any number, jumps too.
     Found look(Place& a, Place& b) const {
-        std::array<IntervalSlope, 3> place;
+        LinePlace place;
         for (int i = 0; i < 3; ++i) {
             const Interval d(ray_.direction[i]);
             place[static_cast<size_t>(i)] = {Interval(ray_.origin[i]) + Interval(a.t(), b.t()) * d, d};
@@ -332,7 +333,7 @@ void Isosurface::each_crossing(const ShapeRay& query, Take&& take) const {
 }
 
 FunctionCells::Content Isosurface::content_of(size_t cell, const Vec3& direction) const {
-    return cells_.content(cell, direction, [this](const std::array<IntervalSlope, 3>& place) {
+    return cells_.content(cell, direction, [this](const LinePlace& place) {
         return data_.function->bound_slope(place, 0) - data_.threshold;
     });
 }

@@ -178,9 +178,7 @@ private:
         const double to_t = 1.0 / (length * slice_.stretch());
         // Small steps many at once are quicker than one that is hardly longer.
         const double worth = JuliaFormula::places_at_once * least;
-        Place place;
-        place.here.t = from;
-        place.here.stays = look_around(query.ray, place);
+        Place place = place_at(query.ray, from);
         while (place.here.t < to && place.here.t <= query.t_max) {
             const double known = place.known * to_t;
             const bool goes_on = formula_.has_reach() && known < worth
@@ -205,10 +203,7 @@ private:
     template <class Take>
     bool take_step(const Ray& ray, Place& place, double step, double to, const Take& take) const {
         const Sample last = place.here;
-        place.before = {};
-        place.here = {};
-        place.here.t = std::min(last.t + step, to);
-        place.here.stays = look_around(ray, place);
+        place = place_at(ray, std::min(last.t + step, to));
         return take_change(ray, last, place.here, take);
     }
 
@@ -222,7 +217,7 @@ private:
             place.before = place.here;
             place.here = next;
         }
-        look_around(ray, place);
+        place.known = reach(ray, place.here.t).distance;
         return true;
     }
 
@@ -271,13 +266,20 @@ private:
     }
 
     /// What happens at a place, and in its neighbourhood.
-    bool look_around(const Ray& ray, Place& place) const {
-        const Quaternion q = slice_.at(ray.at(place.here.t));
-        if (!formula_.has_reach()) return formula_.stays(q);
+    JuliaFormula::Reach reach(const Ray& ray, double t) const {
+        const Quaternion q = slice_.at(ray.at(t));
+        if (!formula_.has_reach()) return {formula_.stays(q), 0.0};
         const double worth = JuliaFormula::places_at_once * resolution_ * slice_.stretch();
-        const JuliaFormula::Reach reach = formula_.reach(q, worth);
-        place.known = reach.distance;
-        return reach.stays;
+        return formula_.reach(q, worth);
+    }
+    /// A place that nothing is known before.
+    Place place_at(const Ray& ray, double t) const {
+        const JuliaFormula::Reach around = reach(ray, t);
+        Place place;
+        place.here.t = t;
+        place.here.stays = around.stays;
+        place.known = around.distance;
+        return place;
     }
 
     JuliaFormula formula_;

@@ -3,8 +3,8 @@
 #include "pattern_text.h"
 #include "patterns/feature_points.h"
 #include "patterns/noise.h"
-#include "patterns/noise_lanes.h"
 #include "patterns/noise_tables.h"
+#include "patterns/octave_sums.h"
 #include "patterns/pattern_field.h"
 
 #include <algorithm>
