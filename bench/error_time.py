@@ -4,17 +4,21 @@
 The error is the RMSE (of 8-bit levels) to a converged picture that each program makes by itself; the time is the user's CPU time,
 the least of several runs. Writes docs/error_time.md (table) and docs/error_time.svg (curves).
 
+Needs oiiotool.
+
 usage: bench/error_time.py RENDERBOY [-n RUNS] [--povray povray] [--only SCENE]
 """
 import argparse
 import math
 import os
 import resource
+import subprocess
+import tempfile
 
 from noise import ROOT, picture, rmse
 
-SIZE = (160, 120)
-FINEST = ["+A0.0", "+AM1", "+R9"]
+SIZE = (320, 240)
+MANY_SAMPLES = 16  # along each side of a pixel
 EDGES = [["+A0.3", "+R2"], ["+A0.1", "+R3"], ["+A0.03", "+R4"], ["+A0.01", "+R5"], ["+A0.003", "+R6"]]
 
 OWN = [["--error", f"{share}%"] for share in (4, 2, 1, 0.5)]
@@ -24,14 +28,14 @@ def declared(name, *values):
     return [[f"Declare={name}={value}", "-A"] for value in values]
 
 
-# Settings from rough to fine, and the converged one.
+# Settings from rough to fine, and the converged one; None: MANY_SAMPLES, evenly over each pixel.
 SCENES = {
     "soft_shadows": (declared("Grid", 3, 5, 9, 17), *declared("Grid", 65)),
-    "glass": (EDGES, FINEST),
-    "glossy": (EDGES, FINEST),
+    "glass": (EDGES, None),
+    "glossy": (EDGES, None),
     "depth_of_field": (declared("Samples", 10, 40, 160, 640), *declared("Samples", 10000)),
-    "fine_texture": (EDGES, FINEST),
-    "thin_geometry": (EDGES, FINEST),
+    "fine_texture": (EDGES, None),
+    "thin_geometry": (EDGES, None),
     "media": (declared("Samples", 4, 8, 16, 32), *declared("Samples", 100)),
     "caustics": (declared("Count", 5000, 20000, 80000, 320000), *declared("Count", 1000000)),
 }
@@ -47,6 +51,25 @@ def timed(program, scene, words, runs):
     return channels, least
 
 
+def supersampled(program, scene):
+    """The channels of a picture of a grid of MANY_SAMPLES by MANY_SAMPLES samples a pixel, averaged unclipped."""
+    with tempfile.TemporaryDirectory() as folder:
+        large, small = os.path.join(folder, "large.exr"), os.path.join(folder, "small.exr")
+        command = [program, "+I" + scene, "+O" + large, "+FE", "-A", "-D", "-P"]
+        subprocess.run(command + [f"+W{MANY_SAMPLES * SIZE[0]}", f"+H{MANY_SAMPLES * SIZE[1]}"],
+                       capture_output=True, check=True, cwd=os.path.dirname(scene))
+        subprocess.run(["oiiotool", large, "--ch", "R,G,B", "--resize:filter=box", f"{SIZE[0]}x{SIZE[1]}", "-d", "float", "-o", small],
+                       check=True)
+        pixels = subprocess.run(["oiiotool", "--dumpdata", "-v", small], capture_output=True, check=True, text=True).stdout
+    rows = (line.split(":")[1].split() for line in pixels.splitlines() if line.startswith("    Pixel ("))
+    return [srgb(float(channel)) for row in rows for channel in row]
+
+
+def srgb(linear):
+    linear = min(max(linear, 0.0), 1.0)
+    return 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
+
+
 def curves_of(renderboy, povray, name, runs):
     """For POV-Ray, RenderBoy with the same settings, and with its own: (words, seconds, error) of each setting."""
     settings, converged = SCENES[name]
@@ -55,7 +78,7 @@ def curves_of(renderboy, povray, name, runs):
     for program, series in ((povray, settings), (renderboy, settings), (renderboy, OWN if settings is EDGES else [])):
         if not series:
             continue
-        reference, _ = timed(program, scene, converged, 1)
+        reference = timed(program, scene, converged, 1)[0] if converged else supersampled(program, scene)
         points = []
         for words in series:
             channels, seconds = timed(program, scene, words, runs)

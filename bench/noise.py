@@ -28,7 +28,7 @@ def picture(program, scene, size, gamma, words):
 
 
 def rmse(a, b):
-    return math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b)) / len(a))
+    return math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b, strict=True)) / len(a))
 
 
 def mean_difference(a, b):

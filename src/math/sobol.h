@@ -34,6 +34,13 @@ inline uint32_t sobol_second_reversed(uint32_t index) {
     return x ^ ((x >> 16) & 0x0000ffffu);
 }
 
+/// Another order of the indices, in which any 2^k from a multiple of 2^k on stay together. Points of two
+/// patterns go together as if they were independent where one of them is taken in another order (Burley
+/// 2020).
+inline uint32_t shuffled_index(uint32_t index, uint32_t seed) {
+    return reversed_bits(owen_scrambled_reversed(reversed_bits(index), seed));
+}
+
 /// Point `index` of the two-dimensional Sobol sequence in [0, 1)^2, Owen-scrambled: uniform for each index,
 /// and any 2^k points from a multiple of 2^k on spread evenly over the square. Another seed makes an
 /// independent pattern.

@@ -11,10 +11,12 @@ void render_by_confidence(Sampler& sampler, const PixelBlock& block, const Antia
                           const SampleDistance& distance, std::span<Radiance> out);
 
 /// Each pixel gets samples until its standard error, gamma-encoded, is estimated to be `options.error` at the
-/// most, or it has `options.max_samples`. The number doubles from step to step. The error is estimated from
-/// the means of the four quarters of the samples, each of which covers the pixel evenly; since whole and
-/// quarters together cover it more evenly still, the estimate is rather too large. Lest a pixel stops by
-/// chance, it has at least a quarter of the samples of the pixels around it in its block.
+/// most, or it has `options.max_samples`. First its corners are looked at, which it shares with its
+/// neighbours; where they agree well enough they are all. Else it gets samples of its own, and their number
+/// doubles from step to step. The error is estimated from the means of the four quarters of the samples, each
+/// of which covers the pixel evenly; since whole and quarters together cover it more evenly still, the
+/// estimate is rather too large. Lest a pixel stops by chance, it has at least half of the samples of the
+/// pixels around it in its block. Through an open lens there are no corners, and each sample is one ray.
 void render_by_error(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
                      const SampleDistance& distance, std::span<Radiance> out);
 

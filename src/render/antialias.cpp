@@ -31,12 +31,24 @@ Radiance mean(std::span<const CameraRay> rays, std::span<const Radiance> lights)
 }  // namespace
 
 void Sampler::sample(std::span<const Vec2> positions, std::span<Radiance> out, float share) {
-    if (lens_.is_open()) return sample_through_lens(positions, out);
+    if (lens_.is_open()) return sample_through_lens(positions, out, share);
     if (rays_.rays_per_position() > 1) return sample_several(positions, out, share);
     Scratch::Scope memory(thread_scratch());
     const auto batch = memory.take<CameraRay>(positions.size());
     rays_.at(positions, batch);
     for (size_t i = 0; i < positions.size(); ++i) {
+        batch[i].seed = seed_at(positions[i]);
+        batch[i].share = share;
+    }
+    integrator_.trace(batch, out, counters_, indirect_);
+}
+
+void Sampler::sample(std::span<const Vec2> positions, std::span<const Vec2> lens_places,
+                     std::span<Radiance> out, float share) {
+    Scratch::Scope memory(thread_scratch());
+    const auto batch = memory.take<CameraRay>(positions.size());
+    for (size_t i = 0; i < positions.size(); ++i) {
+        batch[i].exists = lens_.ray(rays_, positions[i], lens_places[i], batch[i].ray);
         batch[i].seed = seed_at(positions[i]);
         batch[i].share = share;
     }
@@ -69,7 +81,7 @@ void Sampler::sample_several(std::span<const Vec2> positions, std::span<Radiance
 }
 
 /// Chunk by chunk over all positions that want more samples still.
-void Sampler::sample_through_lens(std::span<const Vec2> positions, std::span<Radiance> out) {
+void Sampler::sample_through_lens(std::span<const Vec2> positions, std::span<Radiance> out, float share) {
     std::vector<CameraRay> batch;
     std::vector<LensSum> sums(positions.size());
     std::vector<size_t> open(positions.size());
@@ -79,8 +91,10 @@ void Sampler::sample_through_lens(std::span<const Vec2> positions, std::span<Rad
         batch.clear();
         for (const size_t i : open) {
             const int first = sums[i].count;
-            for (int k = first; k < first + lens_.next_chunk(first); ++k) {
+            const int count = first + lens_.next_chunk(first);
+            for (int k = first; k < count; ++k) {
                 CameraRay& ray = batch.emplace_back();
+                ray.share = share / static_cast<float>(count);
                 ray.exists = lens_.ray(rays_, positions[i].x, positions[i].y, k, ray.ray);
                 ray.seed = mixed(seed_at(positions[i]), static_cast<uint64_t>(k));
             }

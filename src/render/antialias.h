@@ -54,12 +54,18 @@ public:
         return mixed(mixed(seed_, std::bit_cast<uint64_t>(position.x)), std::bit_cast<uint64_t>(position.y));
     }
 
-    /// `share`: as CameraRay::share.
+    bool has_open_lens() const { return lens_.is_open(); }
+
+    /// Through an open lens as many rays for each position as the camera asks for. `share`: as
+    /// CameraRay::share.
     void sample(std::span<const Vec2> positions, std::span<Radiance> out, float share = 1.0f);
+    /// One ray for each position, through a place of the open lens in [0, 1)^2.
+    void sample(std::span<const Vec2> positions, std::span<const Vec2> lens_places, std::span<Radiance> out,
+                float share);
 
 private:
     void sample_several(std::span<const Vec2> positions, std::span<Radiance> out, float share);
-    void sample_through_lens(std::span<const Vec2> positions, std::span<Radiance> out);
+    void sample_through_lens(std::span<const Vec2> positions, std::span<Radiance> out, float share);
 
     const Integrator& integrator_;
     const CameraRays& rays_;

@@ -55,7 +55,7 @@ struct Pixel {
 
 void render_by_confidence(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
                           const SampleDistance& distance, std::span<Radiance> out) {
-    PixelSamples samples(sampler, block);
+    PixelSamples samples(sampler, block, LensRays::as_camera_asks);
     std::vector<Pixel> pixels(samples.pixel_count());
     const double limit = options.threshold / std::sqrt(chi_square_quantile(1, options.confidence));
     const uint32_t most = 1u << (2 * options.depth);

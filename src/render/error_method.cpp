@@ -10,19 +10,35 @@ namespace rb {
 namespace {
 
 constexpr uint32_t quarters = 4;
-constexpr uint32_t fewest_samples = 8;
-/// A pixel has at least this share of the samples of the pixels around it.
-constexpr uint32_t least_share = 4;
+/// Of a pixel whose corners do not tell enough.
+constexpr uint32_t fewest_samples = 4;
+constexpr uint32_t fewest_through_lens = 16;
+/// A pixel has at least half of the samples of the pixels around it, lest it stops by chance.
+constexpr uint32_t least_share = 2;
+/// Corners are four samples, but say nothing of what is between them.
+constexpr double doubt_of_corners = 2;
 
 constexpr size_t components = 4;  // red, green, blue, transmit
 
 /// A pixel's samples, as the sums of their quarters.
 class QuarteredPixel {
 public:
+    /// Samples that its mean is made of.
     uint32_t count() const { return count_; }
-    /// The next samples are as many as there are: two of the quarters.
-    void begin_step() {
-        if (count_ == 0) return;
+    bool has_corners_only() const { return has_corners_only_; }
+    /// What its corners show stands for its quarters until it has samples of its own.
+    void take_corners(const std::array<Radiance, quarters>& corners) {
+        per_quarter_ = 1;
+        for (const Radiance& corner : corners) add(corner);
+        has_corners_only_ = true;
+    }
+    /// Before its first samples.
+    void begin(uint32_t count) {
+        *this = {};
+        per_quarter_ = count / quarters;
+    }
+    /// Before as many more as there are, which make half of the whole: two of the quarters.
+    void begin_doubling() {
         per_quarter_ = count_ / 2;
         for (auto& sums : sums_) {
             sums[0] += sums[1];
@@ -51,7 +67,8 @@ public:
 private:
     std::array<std::array<double, quarters>, components> sums_{};
     uint32_t count_ = 0;
-    uint32_t per_quarter_ = fewest_samples / quarters;
+    uint32_t per_quarter_ = 1;
+    bool has_corners_only_ = false;
 };
 
 /// The greatest error of a channel as a picture shows it.
@@ -72,25 +89,42 @@ double shown_error(const QuarteredPixel& pixel, const SampleDistance& distance) 
 
 void render_by_error(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
                      const SampleDistance& distance, std::span<Radiance> out) {
-    PixelSamples samples(sampler, block);
+    PixelSamples samples(sampler, block, LensRays::one_each);
     std::vector<QuarteredPixel> pixels(samples.pixel_count());
+    // Through a lens, what is seen at the corners says too little about what is between them.
+    const uint32_t fewest = sampler.has_open_lens() ? fewest_through_lens : fewest_samples;
+    if (!sampler.has_open_lens())
+        samples.trace_corners([&](size_t i, const auto& corners) { pixels[i].take_corners(corners); });
+    const auto wants_more = [&](size_t i) {
+        const uint32_t count = pixels[i].count();
+        if (count == 0) return true;
+        if (2 * count > options.max_samples) return false;
+        const double doubt = pixels[i].has_corners_only() ? doubt_of_corners : 1.0;
+        bool wants = doubt * shown_error(pixels[i], distance) > options.error;
+        samples.each_neighbour(i, true,
+                               [&](size_t k) { wants = wants || pixels[k].count() > least_share * count; });
+        return wants;
+    };
     const auto take = [&](uint32_t pixel, const Radiance& light) { pixels[pixel].add(light); };
     std::vector<PixelSamples::Wanted> wanted;
-    for (uint32_t i = 0; i < pixels.size(); ++i) wanted.push_back({i, 0, fewest_samples});
-    while (!wanted.empty()) {
-        for (const auto& w : wanted) pixels[w.pixel].begin_step();
-        samples.trace(wanted, take);
+    do {
         wanted.clear();
         for (uint32_t i = 0; i < pixels.size(); ++i) {
+            if (!wants_more(i)) continue;
+            const bool is_new = pixels[i].count() == 0 || pixels[i].has_corners_only();
             const uint32_t count = pixels[i].count();
-            if (2 * count > options.max_samples) continue;
-            bool wants_more = shown_error(pixels[i], distance) > options.error;
-            samples.each_neighbour(i, true, [&](size_t k) {
-                wants_more = wants_more || pixels[k].count() > least_share * count;
-            });
-            if (wants_more) wanted.push_back({i, count, count});
+            wanted.push_back(is_new ? PixelSamples::Wanted{i, 0, fewest}
+                                    : PixelSamples::Wanted{i, count, count});
         }
-    }
+        for (const auto& w : wanted) {
+            if (w.first == 0) {
+                pixels[w.pixel].begin(w.count);
+            } else {
+                pixels[w.pixel].begin_doubling();
+            }
+        }
+        samples.trace(wanted, take);
+    } while (!wanted.empty());
     for (size_t i = 0; i < pixels.size(); ++i) {
         const auto mean = [&](size_t channel) { return static_cast<float>(pixels[i].mean(channel)); };
         out[i] = {{mean(0), mean(1), mean(2)}, mean(3)};

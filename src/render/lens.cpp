@@ -138,6 +138,7 @@ Lens::Lens(const Camera& camera, const PatternSettings& patterns) {
     if (camera.aperture == 0.0 || camera.blur_samples <= 0) return;
     const int count = camera.blur_samples;
     if (camera.bokeh) {
+        has_bokeh_ = true;
         lay_bokeh(*camera.bokeh, patterns, count);
     } else {
         lay_grid(count);
@@ -212,13 +213,25 @@ bool Lens::ray(const CameraRays& rays, double x, double y, int index, Ray& out) 
     const Vec2 fine = position_jitter(dx, dy);
     dx += (fine.x - 0.5) / 16.0;
     dy += (fine.y - 0.5) / 16.0;
-    const auto view = rays.view(x + dx, y + dy, 0);
-    if (!view) return false;
     const Vec2 moved = position_jitter(x + dx + 0.5, y + dy - 0.5);
     const Vec2& point = points_[static_cast<size_t>(index)];
-    const double along_x = radius_ * (point.x + 2.0 * jitter_ * moved.x);
-    const double along_y = radius_ * (point.y + 2.0 * jitter_ * moved.y);
-    const Vec3 offset = along_x * across_ - along_y * upward_;
+    return ray_from(rays, {x + dx, y + dy}, point + 2.0 * jitter_ * moved, out);
+}
+
+bool Lens::ray(const CameraRays& rays, const Vec2& position, const Vec2& place, Ray& out) const {
+    if (has_bokeh_) {
+        const auto index = static_cast<size_t>(place.x * static_cast<double>(points_.size()));
+        return ray_from(rays, position, points_[std::min(index, points_.size() - 1)], out);
+    }
+    const double radius = 0.5 * std::sqrt(place.x);
+    const double angle = 2.0 * pi * place.y;
+    return ray_from(rays, position, {radius * std::cos(angle), radius * std::sin(angle)}, out);
+}
+
+bool Lens::ray_from(const CameraRays& rays, const Vec2& position, const Vec2& point, Ray& out) const {
+    const auto view = rays.view(position.x, position.y, 0);
+    if (!view) return false;
+    const Vec3 offset = radius_ * point.x * across_ - radius_ * point.y * upward_;
     out.origin = location_ + offset;
     out.direction = glm::normalize(view->direction * (focal_distance_ / direction_length_) - offset);
     rays.disturb(view->place, out.direction);

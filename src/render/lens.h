@@ -29,17 +29,23 @@ public:
     /// The ray of sample `index` at a picture position (as for CameraRays::at). False where the camera makes
     /// none.
     bool ray(const CameraRays& rays, double x, double y, int index, Ray& out) const;
+    /// The ray through a picture position and a place of the lens, evenly in [0, 1)^2: without the
+    /// reference's jitter. False as above.
+    bool ray(const CameraRays& rays, const Vec2& position, const Vec2& place, Ray& out) const;
     void add(LensSum& sum, const CameraRay& ray, const Radiance& light) const;
     /// True if after this chunk no more samples are needed.
     bool is_settled(const LensSum& sum) const;
 
 private:
+    /// From a point in units of the radius.
+    bool ray_from(const CameraRays& rays, const Vec2& position, const Vec2& point, Ray& out) const;
     void lay_grid(int count);
     void lay_bokeh(const Pigment& pigment, const PatternSettings& patterns, int count);
 
     std::vector<Vec2> points_;        ///< in the unit disc's half size, [-0.5, 0.5]
     std::vector<double> thresholds_;  ///< variance that ends the sampling, by number of samples less one
     std::span<const int> chunks_;
+    bool has_bokeh_ = false;
     double radius_ = 0;
     double jitter_ = 0;  ///< of a point, in units of the grid
     double focal_distance_ = 1;

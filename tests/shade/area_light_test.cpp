@@ -78,6 +78,26 @@ TEST(ScrambledSobol, EachPointIsUniformOverSeeds) {
     }
 }
 
+/// Without the other order, two patterns of the same index rise and fall together.
+TEST(ScrambledSobol, ShuffledIndicesMakePatternsIndependent) {
+    constexpr uint32_t count = 1024;
+    for (uint32_t seed = 1; seed <= 20; ++seed) {
+        std::vector<int> indices(count);
+        Vec2 product{0.0};
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t other = shuffled_index(i, seed);
+            ++indices[other % count];
+            EXPECT_EQ(other / count, shuffled_index(0, seed) / count);
+            const Vec2 p = scrambled_sobol(i, mixed(seed, 1)) - 0.5;
+            const Vec2 q = scrambled_sobol(other, mixed(seed, 2)) - 0.5;
+            product += p * q;
+        }
+        EXPECT_TRUE(std::ranges::all_of(indices, [](int n) { return n == 1; })) << seed;
+        EXPECT_LT(std::abs(product.x), 5 * std::sqrt(count) / 12.0) << seed;
+        EXPECT_LT(std::abs(product.y), 5 * std::sqrt(count) / 12.0) << seed;
+    }
+}
+
 /// A white plane under a light of 7 x 7 units, 8 units above; a blocker half way up hides it where x < 0.
 SceneMaker half_shaded(const std::function<void(AreaGrid&)>& change) {
     SceneMaker s;
