@@ -18,22 +18,25 @@ import tempfile
 from noise import ROOT, picture, rmse
 
 SIZE = (320, 240)
-MANY_SAMPLES = 16  # along each side of a pixel
+FINER = 5  # times as many pixels along each side
+FINEST = ["+A0.0", "+AM1", "+R6"]
 EDGES = [["+A0.3", "+R2"], ["+A0.1", "+R3"], ["+A0.03", "+R4"], ["+A0.01", "+R5"], ["+A0.003", "+R6"]]
 
-OWN = [["--error", f"{share}%"] for share in (4, 2, 1, 0.5)]
+OWN = [["--error", f"{share}%"] for share in (8, 4, 2, 1, 0.5)]
+
+CONVERGED = ["--error", "0.1%", "--max-samples", "16384"]
 
 
 def declared(name, *values):
     return [[f"Declare={name}={value}", "-A"] for value in values]
 
 
-# Settings from rough to fine, and the converged one; None: MANY_SAMPLES, evenly over each pixel.
+# Settings from rough to fine, and the converged one; None: a finer picture's.
 SCENES = {
     "soft_shadows": (declared("Grid", 3, 5, 9, 17), *declared("Grid", 65)),
     "glass": (EDGES, None),
     "glossy": (EDGES, None),
-    "depth_of_field": (declared("Samples", 10, 40, 160, 640), *declared("Samples", 10000)),
+    "depth_of_field": (declared("Samples", 10, 40, 160, 640), ["Declare=Samples=1000", "Declare=Variance=0", "-A"]),
     "fine_texture": (EDGES, None),
     "thin_geometry": (EDGES, None),
     "media": (declared("Samples", 4, 8, 16, 32), *declared("Samples", 100)),
@@ -52,11 +55,11 @@ def timed(program, scene, words, runs):
 
 
 def supersampled(program, scene):
-    """The channels of a picture of a grid of MANY_SAMPLES by MANY_SAMPLES samples a pixel, averaged unclipped."""
+    """The channels of a picture of FINER * FINER * 37 samples a pixel, averaged unclipped."""
     with tempfile.TemporaryDirectory() as folder:
         large, small = os.path.join(folder, "large.exr"), os.path.join(folder, "small.exr")
-        command = [program, "+I" + scene, "+O" + large, "+FE", "-A", "-D", "-P"]
-        subprocess.run(command + [f"+W{MANY_SAMPLES * SIZE[0]}", f"+H{MANY_SAMPLES * SIZE[1]}"],
+        command = [program, "+I" + scene, "+O" + large, "+FE", "-D", "-P"] + FINEST
+        subprocess.run(command + [f"+W{FINER * SIZE[0]}", f"+H{FINER * SIZE[1]}"],
                        capture_output=True, check=True, cwd=os.path.dirname(scene))
         subprocess.run(["oiiotool", large, "--ch", "R,G,B", "--resize:filter=box", f"{SIZE[0]}x{SIZE[1]}", "-d", "float", "-o", small],
                        check=True)
@@ -74,13 +77,14 @@ def curves_of(renderboy, povray, name, runs):
     """For POV-Ray, RenderBoy with the same settings, and with its own: (words, seconds, error) of each setting."""
     settings, converged = SCENES[name]
     scene = os.path.join(ROOT, "bench", "error_time", name + ".pov")
+    series = [(povray, settings, converged), (renderboy, settings, converged or CONVERGED)]
+    if settings is EDGES or name == "depth_of_field":
+        series.append((renderboy, OWN, CONVERGED))
     curves = []
-    for program, series in ((povray, settings), (renderboy, settings), (renderboy, OWN if settings is EDGES else [])):
-        if not series:
-            continue
+    for program, words_of_points, converged in series:
         reference = timed(program, scene, converged, 1)[0] if converged else supersampled(program, scene)
         points = []
-        for words in series:
+        for words in words_of_points:
             channels, seconds = timed(program, scene, words, runs)
             points.append((words, max(seconds, 0.001), 255 * rmse(channels, reference)))
         curves.append(points)

@@ -5,6 +5,7 @@
 #include "patterns/quad.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace rb {
@@ -18,38 +19,78 @@ struct CrackleShape {
     bool solid = false;
 };
 
-/// Keeps the three least numbers of each lane, in order.
-RB_INLINE void keep_least(const Quad& from, Quad (&least)[3]) {
-    Quad number = from;
-    for (Quad& lanes : least) {
-        const Quad smaller = number < lanes ? number : lanes;
-        number = number < lanes ? lanes : number;
-        lanes = smaller;
+/// The three least numbers of each lane, in order. Three names: a loop over an array of them would keep them
+/// in memory.
+template <class Numbers>
+struct Least {
+    Numbers first;
+    Numbers second;
+    Numbers third;
+
+    RB_INLINE void add(const Numbers& number) {
+        const Numbers over_first = number < first ? first : number;
+        first = number < first ? number : first;
+        const Numbers over_second = over_first < second ? second : over_first;
+        second = over_first < second ? over_first : second;
+        third = over_second < third ? over_second : third;
     }
+    RB_INLINE void add(const Least& other) {
+        add(other.first);
+        add(other.second);
+        add(other.third);
+    }
+};
+
+RB_INLINE void put_halves_together(const Least<Quad>& of, Least<Quad>& out) { out = of; }
+RB_INLINE void put_halves_together(const Least<Oct>& of, Least<Quad>& out) {
+    const Oct* lanes[3] = {&of.first, &of.second, &of.third};
+    Quad halves[6];
+    for (size_t k = 0; k < 3; ++k) std::memcpy(&halves[2 * k], lanes[k], sizeof(Oct));
+    out = {halves[0], halves[2], halves[4]};
+    out.add(Least<Quad>{halves[1], halves[3], halves[5]});
 }
 
-/// The three smallest squares of distances from a finite point, in order.
-RB_FOR_EACH_TARGET void least_squares(const Vec3& p, const FeatureLanes& features, double (&out)[3]) {
-    Quad least[3];
-    for (Quad& lanes : least) spread(std::numeric_limits<double>::max(), lanes);
-    for (size_t i = 0; i < FeatureLanes::size; i += 4) {
-        Quad x;
-        Quad y;
-        Quad z;
+/// Of all four lanes, in each.
+RB_INLINE void put_lanes_together(Least<Quad>& out) {
+    const Least<Quad> opposite{__builtin_shufflevector(out.first, out.first, 2, 3, 0, 1),
+                               __builtin_shufflevector(out.second, out.second, 2, 3, 0, 1),
+                               __builtin_shufflevector(out.third, out.third, 2, 3, 0, 1)};
+    out.add(opposite);
+    const Least<Quad> neighbour{__builtin_shufflevector(out.first, out.first, 1, 0, 3, 2),
+                                __builtin_shufflevector(out.second, out.second, 1, 0, 3, 2),
+                                __builtin_shufflevector(out.third, out.third, 1, 0, 3, 2)};
+    out.add(neighbour);
+}
+
+template <class Lanes>
+RB_INLINE void least_squares_in(const Vec3& p, const FeatureLanes& features, double (&out)[3]) {
+    using Numbers = typename Lanes::Numbers;
+    const Numbers far = Numbers{} + std::numeric_limits<double>::max();
+    Least<Numbers> least{far, far, far};
+    for (size_t i = 0; i < FeatureLanes::size; i += Lanes::count) {
+        Numbers x;
+        Numbers y;
+        Numbers z;
         load(&features.x[i], x);
         load(&features.y[i], y);
         load(&features.z[i], z);
         x -= p.x;
         y -= p.y;
         z -= p.z;
-        keep_least(x * x + y * y + z * z, least);
+        least.add(x * x + y * y + z * z);
     }
-    const Quad opposite[3] = {least[0], least[1], least[2]};
-    for (const Quad& q : opposite) keep_least(__builtin_shufflevector(q, q, 2, 3, 0, 1), least);
-    const Quad neighbour[3] = {least[0], least[1], least[2]};
-    for (const Quad& q : neighbour) keep_least(__builtin_shufflevector(q, q, 1, 0, 3, 2), least);
-    for (size_t k = 0; k < 3; ++k) out[k] = least[k][0];
+    Least<Quad> of_all;
+    put_halves_together(least, of_all);
+    put_lanes_together(of_all);
+    out[0] = of_all.first[0];
+    out[1] = of_all.second[0];
+    out[2] = of_all.third[0];
 }
+
+/// The three smallest squares of distances from a finite point, in order.
+void least_squares(const Vec3& p, const FeatureLanes& features, double (&out)[3]);
+RB_FOR_EACH_WIDTH(least_squares, (const Vec3& p, const FeatureLanes& features, double (&out)[3]),
+                  (p, features, out))
 
 class Crackle final : public Pattern {
 public:
@@ -75,7 +116,7 @@ public:
             const bool quick = plain && std::isfinite(p.x + p.y + p.z);
             const FeatureCell cell = FeatureCell::of(p);
             const Nearest nearest =
-                quick ? nearest_by_square(p, features.lanes_around(cell)) : nearest_to(p, features, cell);
+                quick ? nearest_by_square(p, features.around(cell)) : nearest_to(p, features, cell);
             values[i] =
                 clamp01(shape.solid ? noise(nearest.point, context.noise_generator) : combined(nearest));
         }
@@ -105,8 +146,10 @@ private:
         // Powers are dear: features that are too far by squares are not among the three nearest.
         double reach = std::numeric_limits<double>::infinity();
         if (std::isfinite(p.x + p.y + p.z))
-            reach = square_spread_ * nearest_by_square(p, features.lanes_around(cell)).sum[2];
-        for (const Vec3& feature : features.around(cell)) {
+            reach = square_spread_ * nearest_by_square(p, features.around(cell)).sum[2];
+        const FeatureLanes& near = features.around(cell);
+        for (size_t i = 0; i < FeatureLanes::count; ++i) {
+            const Vec3 feature = near.point(i);
             const Vec3 d = glm::abs(feature - p);
             if (glm::dot(d, d) > reach) continue;
             const double sum = sum_of(d);

@@ -53,10 +53,11 @@ private:
         return std::pow(std::abs(d.x), shape.metric) + std::pow(std::abs(d.y), shape.metric) +
                std::pow(std::abs(d.z), shape.metric);
     }
-    Vec3 nearest_to(const Vec3& p, const std::array<Vec3, 81>& features) const {
+    Vec3 nearest_to(const Vec3& p, const FeatureLanes& features) const {
         double best = std::numeric_limits<double>::max();
         Vec3 nearest = p;
-        for (const Vec3& feature : features) {
+        for (size_t i = 0; i < FeatureLanes::count; ++i) {
+            const Vec3 feature = features.point(i);
             const double sum = sum_of(feature - p);
             if (sum >= best) continue;
             best = sum;

@@ -4,19 +4,11 @@
 #include "patterns/noise_tables.h"
 
 #include <array>
+#include <vector>
 
 namespace rb {
 
-/// Offsets to the 81 cells around a cell that may hold the nearest feature points of crackle and facets: up
-/// to 2 away, with at most one component of 2.
-struct CellOffset {
-    int x = 0;
-    int y = 0;
-    int z = 0;
-};
-const std::array<CellOffset, 81>& near_cells();
-
-/// The lattice cell of a point, and the one random point that each cell holds.
+/// A cell of the lattice, each of which holds one random point.
 struct FeatureCell {
     int32_t x = 0;
     int32_t y = 0;
@@ -27,45 +19,43 @@ struct FeatureCell {
                 truncated(std::floor(p.z - tiny))};
     }
     friend bool operator==(const FeatureCell&, const FeatureCell&) = default;
-    Vec3 point_at(const CellOffset& offset, const UniformTable& random) const {
-        const auto add = [](int32_t a, int b) {
-            return static_cast<int32_t>(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
-        };
-        const int32_t i = add(x, offset.x);
-        const int32_t j = add(y, offset.y);
-        const int32_t k = add(z, offset.z);
-        const uint32_t s =
-            hash3(static_cast<uint32_t>(i), static_cast<uint32_t>(j), static_cast<uint32_t>(k));
-        return {i + random[s], j + random[s + 1], k + random[s + 2]};
-    }
 };
 
-/// The feature points around a cell, coordinate by coordinate; the last three are infinitely far away, to
-/// make up fours.
+/// The 81 feature points around a cell that may be the nearest ones of crackle and facets (those of cells up
+/// to 2 away, by no more than one of the coordinates), coordinate by coordinate; the last three are
+/// infinitely far away, to make up eights.
 struct FeatureLanes {
-    static constexpr size_t size = 84;
-    alignas(32) std::array<double, size> x{};
-    alignas(32) std::array<double, size> y{};
-    alignas(32) std::array<double, size> z{};
+    static constexpr size_t count = 81;
+    static constexpr size_t size = 88;
+    alignas(64) std::array<double, size> x{};
+    alignas(64) std::array<double, size> y{};
+    alignas(64) std::array<double, size> z{};
+
+    Vec3 point(size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-/// The 81 feature points around a cell, kept while successive points lie in the same cell.
+/// The feature points around cells, kept: successive points lie in the same cell or go through a few ones
+/// again and again (rays of neighbouring pixels through media).
 class NearFeatures {
 public:
     NearFeatures();
-    /// Kept from call to call: points that come one at a time mostly lie in the same cell, too.
     static NearFeatures& of_this_thread();
 
-    const std::array<Vec3, 81>& around(const FeatureCell& cell);
-    /// The same points.
-    const FeatureLanes& lanes_around(const FeatureCell& cell);
+    /// Until the next call.
+    const FeatureLanes& around(const FeatureCell& cell);
 
 private:
+    struct Entry {
+        bool filled = false;
+        FeatureCell cell;
+        FeatureLanes features;
+    };
+    static constexpr size_t entry_count = 64;
+
+    void fill(FeatureLanes& features, const FeatureCell& cell) const;
+
     const UniformTable& random_ = uniform_table();
-    bool filled_ = false;
-    FeatureCell cell_;
-    std::array<Vec3, 81> points_{};
-    FeatureLanes lanes_;
+    std::vector<Entry> entries_;
 };
 
 }  // namespace rb

@@ -27,16 +27,35 @@ struct Found {
     double density(bool in_space) const { return static_cast<double>(count) / extent_of(radius, in_space); }
 };
 
+/// What was found near by, in space or on a surface, or neither.
+struct Known {
+    KnownReaches* reaches = nullptr;
+    KnownPhotons* photons = nullptr;
+
+    size_t find(const PhotonMap& map, const PhotonMetric& metric, double radius,
+                std::span<FoundPhoton> nearest) const {
+        if (reaches) radius = std::min(radius, reaches->at(metric.place));
+        if (photons) return map.find_near(photons->indices, metric, radius, nearest);
+        return map.find(metric, radius, nearest);
+    }
+    /// As many as are looked for; one of them is the farthest.
+    void keep(const PhotonMetric& metric, std::span<const FoundPhoton> nearest, double farthest) const {
+        if (reaches) reaches->add(metric.place, farthest);
+        if (!photons) return;
+        photons->indices.resize(nearest.size());
+        std::ranges::transform(nearest, photons->indices.begin(), &FoundPhoton::index);
+    }
+};
+
 /// Of more than `max` the farthest are left out, and the others fill a part of the ball only. `nearest` has
-/// room for one more than are wanted. `known`: null, or what was found in space near by.
+/// room for one more than are wanted.
 Found find(const PhotonMap& map, const PhotonMetric& metric, double radius, std::span<FoundPhoton> nearest,
-           KnownReaches* known = nullptr) {
+           const Known& known) {
     const size_t max = nearest.size() - 1;
-    const size_t count =
-        map.find(metric, known ? std::min(radius, known->at(metric.place)) : radius, nearest);
+    const size_t count = known.find(map, metric, radius, nearest);
     if (count <= max) return {count, radius};
     const auto farthest = std::ranges::max_element(nearest);
-    if (known) known->add(metric.place, std::sqrt(farthest->square));
+    known.keep(metric, nearest, std::sqrt(farthest->square));
     std::shift_left(farthest, nearest.end(), 1);
     return {max, std::sqrt(std::ranges::max(nearest.first(max)).square)};
 }
@@ -44,7 +63,7 @@ Found find(const PhotonMap& map, const PhotonMetric& metric, double radius, std:
 /// Looks farther where that finds about as many for the area, or where there are few at all. (Measured: for
 /// the area in media, too.)
 Found gather(const PhotonMap& map, const PhotonMetric& metric, const GatherRule& rule,
-             std::span<FoundPhoton> nearest, KnownReaches* known) {
+             std::span<FoundPhoton> nearest, const Known& known) {
     const Found first = find(map, metric, rule.radius, nearest, known);
     if (first.count >= rule.min) return first;
     Scratch::Scope memory(thread_scratch());
@@ -59,7 +78,7 @@ Found gather(const PhotonMap& map, const PhotonMetric& metric, const GatherRule&
 }
 
 GatheredPhotons look_at(const PhotonMap& map, const PhotonMetric& metric, const GatherRule& rule,
-                        bool in_space, std::span<NearPhoton> memory, KnownReaches* known = nullptr) {
+                        bool in_space, std::span<NearPhoton> memory, const Known& known) {
     Scratch::Scope scratch(thread_scratch());
     const auto nearest = scratch.take<FoundPhoton>(memory.size() + 1);
     const Found found = gather(map, metric, rule, nearest, known);
@@ -108,7 +127,7 @@ double automatic_radius(const PhotonMap& map, size_t max, bool in_space) {
     const double radius = radius_of(static_cast<double>(max) / density, in_space);
     size_t thin = 0;
     for (size_t i = 0; i < tests; ++i) {
-        const double there = find(map, at(i), radius, nearest).density(in_space);
+        const double there = find(map, at(i), radius, nearest, {}).density(in_space);
         if (there > 0.05 * density && there < 0.7 * density) ++thin;
     }
     return radius * (1.0 + 20.0 * static_cast<double>(thin) / static_cast<double>(tests));
@@ -120,14 +139,14 @@ PhotonMaps::PhotonMaps(StoredPhotons photons, const PhotonSettings& settings)
       surface_rule_(rule_of(surfaces_, settings, settings.surface_radius, false)),
       media_rule_(rule_of(media_, settings, settings.media_radius, true)) {}
 
-GatheredPhotons PhotonMaps::around(const Vec3& point, const Vec3& normal,
-                                   std::span<NearPhoton> memory) const {
-    return look_at(surfaces_, {point, normal}, surface_rule_, false, memory);
+GatheredPhotons PhotonMaps::around(const Vec3& point, const Vec3& normal, std::span<NearPhoton> memory,
+                                   KnownPhotons* known) const {
+    return look_at(surfaces_, {point, normal}, surface_rule_, false, memory, {.photons = known});
 }
 
 GatheredPhotons PhotonMaps::around(const Vec3& point, std::span<NearPhoton> memory,
                                    KnownReaches* known) const {
-    return look_at(media_, {point}, media_rule_, true, memory, known);
+    return look_at(media_, {point}, media_rule_, true, memory, {.reaches = known});
 }
 
 }  // namespace rb

@@ -31,8 +31,8 @@ public:
     size_t capacity() const override {
         return std::min(surface_rule_.max, std::max(surfaces_.size(), media_.size()));
     }
-    GatheredPhotons around(const Vec3& point, const Vec3& normal,
-                           std::span<NearPhoton> memory) const override;
+    GatheredPhotons around(const Vec3& point, const Vec3& normal, std::span<NearPhoton> memory,
+                           KnownPhotons* known) const override;
     GatheredPhotons around(const Vec3& point, std::span<NearPhoton> memory,
                            KnownReaches* known) const override;
 

@@ -11,7 +11,7 @@ namespace rb {
 namespace {
 
 /// Ranges no longer than this are looked through.
-constexpr size_t few = 8;
+constexpr size_t few = 20;
 
 /// Ranges longer than this are worth a thread.
 constexpr size_t many = 16384;
@@ -100,9 +100,9 @@ void PhotonMap::sort(std::span<Photon> photons, size_t node) {
 /// is thrown away. Those that stay keep their order.
 class PhotonMap::Search {
 public:
-    Search(const PhotonMap& map, const PhotonMetric& metric, double radius, std::span<FoundPhoton> found,
-           std::span<FoundPhoton> memory)
-        : map_(map), metric_(metric), limit_{radius * radius, 0}, found_(found), memory_(memory) {}
+    Search(const PhotonMap& map, const PhotonMetric& metric, const FoundPhoton& limit,
+           std::span<FoundPhoton> found, std::span<FoundPhoton> memory)
+        : map_(map), metric_(metric), limit_(limit), found_(found), memory_(memory) {}
 
     void in(size_t begin, size_t end, size_t node, double least) {
         if (least > limit_.square) return;
@@ -157,9 +157,28 @@ private:
 };
 
 size_t PhotonMap::find(const PhotonMetric& metric, double radius, std::span<FoundPhoton> nearest) const {
+    return find_below({radius * radius, 0}, metric, nearest);
+}
+
+size_t PhotonMap::find_near(std::span<const uint32_t> known, const PhotonMetric& metric, double radius,
+                            std::span<FoundPhoton> nearest) const {
+    FoundPhoton limit{radius * radius, 0};
+    if (known.size() >= nearest.size()) {
+        FoundPhoton farthest;
+        for (const uint32_t index : known)
+            farthest = std::max(farthest, FoundPhoton{metric.square(places_[index]), index});
+        // All of the known ones are below that.
+        ++farthest.index;
+        limit = std::min(limit, farthest);
+    }
+    return find_below(limit, metric, nearest);
+}
+
+size_t PhotonMap::find_below(const FoundPhoton& limit, const PhotonMetric& metric,
+                             std::span<FoundPhoton> nearest) const {
     if (nearest.empty() || empty()) return 0;
     Scratch::Scope memory(thread_scratch());
-    Search search(*this, metric, radius, memory.take<FoundPhoton>(2 * nearest.size()),
+    Search search(*this, metric, limit, memory.take<FoundPhoton>(2 * nearest.size()),
                   memory.take<FoundPhoton>(2 * nearest.size()));
     search.in(0, size(), 0, 0.0);
     return search.take(nearest);

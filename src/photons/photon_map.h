@@ -53,11 +53,17 @@ public:
     /// Those nearer than `radius`, the nearest `nearest.size()` of them if there are more. Returns how many.
     /// Their order depends on the metric alone: a smaller radius leaves out the others.
     size_t find(const PhotonMetric& metric, double radius, std::span<FoundPhoton> nearest) const;
+    /// The same, but quickly where as many known photons as are looked for are near.
+    size_t find_near(std::span<const uint32_t> known, const PhotonMetric& metric, double radius,
+                     std::span<FoundPhoton> nearest) const;
     /// The same by looking at each photon.
     size_t find_slowly(const PhotonMetric& metric, double radius, std::span<FoundPhoton> nearest) const;
 
 private:
     class Search;
+    /// Those that count as nearer than `limit`.
+    size_t find_below(const FoundPhoton& limit, const PhotonMetric& metric,
+                      std::span<FoundPhoton> nearest) const;
     /// What is asked for only once a photon is found, kept apart from the places.
     struct Light {
         Rgb color{0.0f};

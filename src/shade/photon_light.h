@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace rb {
 
@@ -50,6 +51,12 @@ private:
     size_t next_ = 0;
 };
 
+/// The photons of a surface that were found last, where there were as many as are gathered at once: near by
+/// only what is no farther than the farthest of them need be looked at.
+struct KnownPhotons {
+    std::vector<uint32_t> indices;
+};
+
 /// The light that photons left in a world, as shading asks for it. Immutable; safe to ask from many threads.
 class PhotonLight {
 public:
@@ -60,10 +67,11 @@ public:
 
     /// The largest number of photons gathered at one place.
     virtual size_t capacity() const = 0;
-    /// On a surface with this normal. `memory` has `capacity()` elements.
-    virtual GatheredPhotons around(const Vec3& point, const Vec3& normal,
-                                   std::span<NearPhoton> memory) const = 0;
-    /// In media. `known`: null, or what was found before, which saves work; the answer is the same.
+    /// On a surface with this normal. `memory` has `capacity()` elements. `known`: null, or what was found
+    /// before, which saves work; the answer is the same.
+    virtual GatheredPhotons around(const Vec3& point, const Vec3& normal, std::span<NearPhoton> memory,
+                                   KnownPhotons* known) const = 0;
+    /// In media.
     virtual GatheredPhotons around(const Vec3& point, std::span<NearPhoton> memory,
                                    KnownReaches* known) const = 0;
 };

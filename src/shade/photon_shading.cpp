@@ -14,7 +14,7 @@ constexpr double least_cosine = 0.1;
 
 }  // namespace
 
-void PhotonShading::add(const FinishProgram& finish, std::span<LitRow> rows) const {
+void PhotonShading::add(const FinishProgram& finish, std::span<LitRow> rows) {
     Scratch::Scope scratch(thread_scratch());
     const auto memory = scratch.take<NearPhoton>(program_.photons->capacity());
     for (LitRow& row : rows) {
@@ -22,10 +22,10 @@ void PhotonShading::add(const FinishProgram& finish, std::span<LitRow> rows) con
     }
 }
 
-Rgb PhotonShading::gathered(const FinishProgram& finish, const LitRow& row,
-                            std::span<NearPhoton> memory) const {
+Rgb PhotonShading::gathered(const FinishProgram& finish, const LitRow& row, std::span<NearPhoton> memory) {
     const HitPoint& hit = state_.hits[row.hit];
-    const GatheredPhotons found = program_.photons->around(hit.point, row.place.normal, memory);
+    KnownPhotons* known = program_.options.skip_unneeded ? &known_ : nullptr;
+    const GatheredPhotons found = program_.photons->around(hit.point, row.place.normal, memory, known);
     const bool shows_back = finish.finish.diffuse_back != 0.0f;
     Rgb sum(0.0f);
     LightMeeting meeting;

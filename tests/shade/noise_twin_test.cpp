@@ -322,11 +322,45 @@ TEST(NoiseTwin, WrinklesPushNormals) {
     });
 }
 
+/// The random points of the cells up to 2 away, by no more than one of the coordinates.
+std::vector<Vec3> features_around(const FeatureCell& cell) {
+    std::vector<Vec3> features;
+    const UniformTable& random = uniform_table();
+    for (int k = 0; k < 125; ++k) {
+        const std::array<int, 3> away{k / 25 - 2, k / 5 % 5 - 2, k % 5 - 2};
+        if (std::ranges::count_if(away, [](int d) { return std::abs(d) == 2; }) > 1) continue;
+        std::array<uint32_t, 3> at{static_cast<uint32_t>(cell.x), static_cast<uint32_t>(cell.y),
+                                   static_cast<uint32_t>(cell.z)};
+        for (size_t i = 0; i < 3; ++i) at[i] += static_cast<uint32_t>(away[i]);
+        const uint32_t first = hash3(at[0], at[1], at[2]);
+        const auto place = [&](uint32_t axis) {
+            return static_cast<int32_t>(at[axis]) + random[first + axis];
+        };
+        features.emplace_back(place(0), place(1), place(2));
+    }
+    return features;
+}
+
+/// Whatever was asked for before.
+TEST(NoiseTwin, FeaturePoints) {
+    NearFeatures near;
+    std::mt19937 random(5);
+    for (int i = 0; i < 3000; ++i) {
+        const auto coordinate = [&] { return static_cast<int32_t>(random() % 7) - 3; };
+        FeatureCell cell{coordinate(), coordinate(), coordinate()};
+        if (i % 50 == 0) cell.y = std::numeric_limits<int32_t>::max();
+        if (i % 50 == 1) cell.z = std::numeric_limits<int32_t>::min();
+        const FeatureLanes& features = near.around(cell);
+        const std::vector<Vec3> expected = features_around(cell);
+        ASSERT_EQ(expected.size(), FeatureLanes::count);
+        for (size_t k = 0; k < expected.size(); ++k) ASSERT_EQ(features.point(k), expected[k]);
+    }
+}
+
 /// Crackle of a metric from all features around a point, sorted.
 double crackle_twin(const Vec3& p, double metric) {
-    NearFeatures features;
     std::vector<double> sums;
-    for (const Vec3& feature : features.around(FeatureCell::of(p))) {
+    for (const Vec3& feature : features_around(FeatureCell::of(p))) {
         const Vec3 d = glm::abs(feature - p);
         const double sum = metric == 2.0
                                ? d.x * d.x + d.y * d.y + d.z * d.z

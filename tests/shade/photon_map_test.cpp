@@ -80,6 +80,30 @@ TEST(PhotonMap, KnownReachesChangeNothing) {
     EXPECT_GT(shorter, 1000);
 }
 
+TEST(PhotonMap, KnownPhotonsChangeNothing) {
+    const PhotonMap map(clusters(5000));
+    std::vector<uint32_t> known;
+    std::vector<FoundPhoton> quick(30);
+    std::vector<FoundPhoton> slow(30);
+    Vec3 place{0.5};
+    size_t full = 0;
+    for (uint64_t i = 0; i < 2000; ++i) {
+        place += 0.01 * Vec3{draw(i, 1) - 0.5, draw(i, 2) - 0.5, draw(i, 3) - 0.5};
+        const Vec3 normal = glm::normalize(Vec3{draw(i, 5) - 0.5, draw(i, 6) - 0.5, 0.3});
+        const PhotonMetric metric{place, i % 2 == 0 ? normal : Vec3{0.0}};
+        const double radius = 10.0 * draw(i, 4);
+        const size_t count = map.find(metric, radius, slow);
+        ASSERT_EQ(map.find_near(known, metric, radius, quick), count);
+        ASSERT_TRUE(
+            std::equal(quick.begin(), quick.begin() + static_cast<std::ptrdiff_t>(count), slow.begin()));
+        if (count < slow.size()) continue;
+        ++full;
+        known.resize(count);
+        std::ranges::transform(slow, known.begin(), &FoundPhoton::index);
+    }
+    EXPECT_GT(full, 1000u);
+}
+
 TEST(PhotonMap, KeepsEveryPhoton) {
     const std::vector<Photon> photons = clusters(3000);
     const PhotonMap map(photons);
@@ -120,7 +144,7 @@ Gathered gathered(const std::vector<Photon>& photons, double radius, int min, in
     settings.expand_count = few;
     const PhotonMaps maps({photons, {}}, settings);
     std::vector<NearPhoton> memory(maps.capacity());
-    const GatheredPhotons found = maps.around(Vec3{0.0}, Vec3{0, 1, 0}, memory);
+    const GatheredPhotons found = maps.around(Vec3{0.0}, Vec3{0, 1, 0}, memory, nullptr);
     return {found.photons.size(), std::sqrt(found.extent / pi)};
 }
 
