@@ -22,7 +22,10 @@ MeshRays::MeshRays(const Camera& camera, int width, int height)
       offset_(camera.location.z),
       turned_(camera.direction.z < -tiny),
       width_(width),
-      height_(height) {}
+      height_(height) {
+    if (camera_->distribution == RayDistribution::by_uv)
+        uv_grid_.emplace(*camera_->meshes.front().uvs, *camera_->meshes.front().face_uvs);
+}
 
 std::optional<Ray> MeshRays::at(double x, double y, int index) const {
     // The reference reaches pixel rows half a pixel late: the first row is seen twice.
@@ -64,19 +67,9 @@ std::optional<MeshRays::Face> MeshRays::face_of(double x, double y, int index) c
 std::optional<Ray> MeshRays::by_uv(double x, double y) const {
     const Vec2 wanted{(x - 0.5) / width_, 1.0 - (y + 0.5) / height_};
     const CameraMesh& mesh = camera_->meshes.front();
-    const auto& face_uvs = *mesh.face_uvs;
-    for (uint32_t face = 0; face < face_uvs.size(); ++face) {
-        const Vec2& a = (*mesh.uvs)[face_uvs[face][0]];
-        const Vec2 to_b = (*mesh.uvs)[face_uvs[face][1]] - a;
-        const Vec2 to_c = (*mesh.uvs)[face_uvs[face][2]] - a;
-        const double area = to_b.x * to_c.y - to_b.y * to_c.x;
-        if (area == 0.0) continue;
-        const Vec2 to_p = wanted - a;
-        const double b = (to_p.x * to_c.y - to_p.y * to_c.x) / area;
-        const double c = (to_b.x * to_p.y - to_b.y * to_p.x) / area;
-        if (b >= 0.0 && c >= 0.0 && b + c <= 1.0) return leaving({&mesh, face}, {1.0 - b - c, b, c});
-    }
-    return std::nullopt;
+    const auto place = uv_grid_->find(wanted);
+    if (!place) return std::nullopt;
+    return leaving({&mesh, place->triangle}, {1.0 - place->b - place->c, place->b, place->c});
 }
 
 Ray MeshRays::leaving(const Face& face, const Vec3& weights) const {

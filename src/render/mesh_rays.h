@@ -1,5 +1,6 @@
 #pragma once
 #include "math/ray.h"
+#include "render/uv_grid.h"
 #include "scene/camera.h"
 
 #include <optional>
@@ -25,8 +26,9 @@ private:
     Ray leaving(const Face& face, const Vec3& weights) const;
 
     std::shared_ptr<const MeshCamera> camera_;
-    double offset_;  ///< from the face along its normal
-    bool turned_;    ///< rays leave against the normal
+    std::optional<UvGrid> uv_grid_;  ///< of the first mesh, for rays by_uv
+    double offset_;                  ///< from the face along its normal
+    bool turned_;                    ///< rays leave against the normal
     int width_;
     int height_;
 };
