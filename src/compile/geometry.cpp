@@ -131,10 +131,25 @@ bool Geometry::occluded(const RayQuery& query, uint32_t& blocker, const Candidat
     return true;
 }
 
+std::vector<uint32_t> Geometry::solids_near(const Bounds& box) const {
+    std::vector<uint32_t> out;
+    for (uint32_t i = 0; i < parts->flat.tops.size(); ++i) {
+        if (!intersection(parts->flat.tops[i].box, box).is_empty()) out.push_back(i);
+    }
+    return out;
+}
+
 std::vector<uint32_t> Geometry::interiors_at(const Vec3& p) const {
+    Bounds here;
+    here.include(p);
+    return interiors_at(p, solids_near(here));
+}
+
+std::vector<uint32_t> Geometry::interiors_at(const Vec3& p, std::span<const uint32_t> tops) const {
     std::vector<uint32_t> out;
     const SolidForest& solids = parts->flat.solids;
-    for (const TopSolid& top : parts->flat.tops) {
+    for (const uint32_t i : tops) {
+        const TopSolid& top = parts->flat.tops[i];
         if (top.instance != no_surface) {
             add_interiors(*parts, top, p, out);
         } else if (top.box.contains(p) && solids.nodes[top.node].region.contains(p) &&

@@ -42,6 +42,10 @@ public:
 
     /// Indices into World::interiors of the solids that contain `p`, in top-level order.
     std::vector<uint32_t> interiors_at(const Vec3& p) const;
+    /// The same, where `tops` are solids_near() of a box around `p`.
+    std::vector<uint32_t> interiors_at(const Vec3& p, std::span<const uint32_t> tops) const;
+    /// The top-level solids that may contain points of a box, in order.
+    std::vector<uint32_t> solids_near(const Bounds& box) const;
 
     /// Surface coordinates for uv_mapping at a hit.
     Vec2 uv(const Hit& hit) const;

@@ -92,6 +92,16 @@ void RayStream::start(std::span<const GatherRay> rays, int depth) {
     }
 }
 
+/// Those that may contain where one of the rays begins.
+std::vector<uint32_t> RayStream::solids_around(std::span<const CameraRay> rays) const {
+    if (!program_.tracks_interiors) return {};
+    Bounds origins;
+    for (const CameraRay& ray : rays) {
+        if (ray.exists && ray.ray.origin != program_.world.camera.location) origins.include(ray.ray.origin);
+    }
+    return origins.is_empty() ? std::vector<uint32_t>() : program_.geometry.solids_near(origins);
+}
+
 void RayStream::start(std::span<const CameraRay> rays) {
     clear(rays.size());
     state_.depth = 0;
@@ -100,6 +110,7 @@ void RayStream::start(std::span<const CameraRay> rays) {
     state_.reach = mesh && mesh->max_distance > 0.0 ? std::nextafter(mesh->max_distance, 0.0) : infinity;
     if (!(1.0f >= program_.adc_bailout)) return;
 
+    const std::vector<uint32_t> solids = solids_around(rays);
     Vec3 origin = program_.world.camera.location;
     InteriorList inside = state_.interiors.add(program_.camera_interiors);
     state_.rays.reserve(rays.size());
@@ -107,7 +118,7 @@ void RayStream::start(std::span<const CameraRay> rays) {
         if (!rays[i].exists) continue;
         if (program_.tracks_interiors && rays[i].ray.origin != origin) {
             origin = rays[i].ray.origin;
-            inside = state_.interiors.add(program_.geometry.interiors_at(origin));
+            inside = state_.interiors.add(program_.geometry.interiors_at(origin, solids));
         }
         PathRay& ray = state_.rays.emplace_back();
         ray.inside = inside;

@@ -41,6 +41,7 @@ protected:
 
 private:
     void clear(size_t slots);
+    std::vector<uint32_t> solids_around(std::span<const CameraRay> rays) const;
     void start(std::span<const CameraRay> rays);
     void start(std::span<const GatherRay> rays, int depth);
     bool is_known(uint32_t ray_index, const Hit& hit, uint32_t look, const Vec3& normal);

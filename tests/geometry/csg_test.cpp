@@ -298,6 +298,14 @@ TEST(Csg, InteriorsOfSolidsThatHoldAPoint) {
     EXPECT_EQ(world.geometry->interiors_at({0.5, 0, 0}).size(), 1u);
     EXPECT_EQ(world.geometry->interiors_at({0, -6, 0}).size(), 1u);
     EXPECT_EQ(world.geometry->interiors_at({3.5, 0, 0}).size(), 1u);
+    // Those near a box are enough for its points; the plane is near everything.
+    const Bounds box{{-0.2, -6, 2.1}, {0.4, 0.2, 4.4}};
+    const std::vector<uint32_t> near = world.geometry->solids_near(box);
+    EXPECT_EQ(near, (std::vector<uint32_t>{2, 3}));
+    for (double t = 0; t <= 1; t += 0.05) {
+        const Vec3 p = box.lo + t * box.size();
+        EXPECT_EQ(world.geometry->interiors_at(p, near), world.geometry->interiors_at(p));
+    }
 }
 
 TEST(Csg, VisibilityFlags) {
