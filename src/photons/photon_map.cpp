@@ -10,8 +10,10 @@ namespace rb {
 
 namespace {
 
+/// Ranges no longer than this are not sorted.
+constexpr size_t few = 8;
 /// Ranges no longer than this are looked through.
-constexpr size_t few = 20;
+constexpr size_t looked_through = 20;
 
 /// Ranges longer than this are worth a thread.
 constexpr size_t many = 16384;
@@ -106,7 +108,7 @@ public:
 
     void in(size_t begin, size_t end, size_t node, double least) {
         if (least > limit_.square) return;
-        if (end - begin <= few) {
+        if (end - begin <= looked_through) {
             for (size_t i = begin; i < end; ++i) look(i);
             return;
         }
