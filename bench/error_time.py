@@ -147,7 +147,8 @@ def write_docs(curves):
         file.write("\n".join([
             "# Error against time", "",
             f"Written by `bench/error_time.py`: the scenes of `bench/error_time/` at {SIZE[0]}x{SIZE[1]} on one thread, at settings from rough to fine.",
-            "Seconds are user CPU time; the error is the RMSE (of 255) to a converged picture of the same program. *Gain*: POV-Ray's time to the",
+            "Seconds are user CPU time; the error is the RMSE (of 255) to a converged picture of the same program: for antialiasing",
+            f"{37 * FINER * FINER} samples in each pixel of POV-Ray's, and `{' '.join(CONVERGED)}`. *Gain*: POV-Ray's time to the",
             "same error, between its own settings, over RenderBoy's; *more than*: none of POV-Ray's settings comes there.", "",
             "![curves](error_time.svg)", "",
             "| scene | program | setting | s | error | gain |", "|---|---|---|---|---|---|"]

@@ -1,6 +1,6 @@
 // Method 3 of POV-Ray 3.8: samples until their mean is known well enough.
 #include "math/chi_square.h"
-#include "render/adaptive_methods.h"
+#include "render/antialias_methods.h"
 #include "render/pixel_samples.h"
 
 #include <algorithm>

@@ -1,9 +1,10 @@
 // Our own method: samples until the error is small enough.
-#include "render/adaptive_methods.h"
+#include "render/antialias_methods.h"
 #include "render/pixel_samples.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rb {
 
@@ -71,8 +72,9 @@ private:
     bool has_corners_only_ = false;
 };
 
-/// The greatest error of a channel as a picture shows it.
+/// The greatest error of a channel as a picture shows it; endless before there are samples.
 double shown_error(const QuarteredPixel& pixel, const SampleDistance& distance) {
+    if (pixel.count() == 0) return std::numeric_limits<double>::infinity();
     const auto shown = [&](double v) {
         return distance.encoded(static_cast<float>(std::clamp(v, 0.0, 1.0)));
     };
@@ -80,9 +82,10 @@ double shown_error(const QuarteredPixel& pixel, const SampleDistance& distance) 
     for (size_t c = 0; c < 3; ++c) {
         const double mean = pixel.mean(c);
         const double error = pixel.standard_error(c);
+        if (error == 0.0) continue;
         greatest = std::max(greatest, 0.5 * (shown(mean + error) - shown(mean - error)));
     }
-    return greatest;
+    return pixel.has_corners_only() ? doubt_of_corners * greatest : greatest;
 }
 
 }  // namespace
@@ -95,14 +98,15 @@ void render_by_error(Sampler& sampler, const PixelBlock& block, const AntialiasO
     const uint32_t fewest = sampler.has_open_lens() ? fewest_through_lens : fewest_samples;
     if (!sampler.has_open_lens())
         samples.trace_corners([&](size_t i, const auto& corners) { pixels[i].take_corners(corners); });
+    std::vector<double> errors;
+    for (const QuarteredPixel& pixel : pixels) errors.push_back(shown_error(pixel, distance));
     const auto wants_more = [&](size_t i) {
         const uint32_t count = pixels[i].count();
-        if (count == 0) return true;
         if (2 * count > options.max_samples) return false;
-        const double doubt = pixels[i].has_corners_only() ? doubt_of_corners : 1.0;
-        bool wants = doubt * shown_error(pixels[i], distance) > options.error;
-        samples.each_neighbour(i, true,
-                               [&](size_t k) { wants = wants || pixels[k].count() > least_share * count; });
+        bool wants = errors[i] > options.error;
+        if (!wants)
+            samples.each_neighbour(i, true,
+                                   [&](size_t k) { wants |= pixels[k].count() > least_share * count; });
         return wants;
     };
     const auto take = [&](uint32_t pixel, const Radiance& light) { pixels[pixel].add(light); };
@@ -124,6 +128,7 @@ void render_by_error(Sampler& sampler, const PixelBlock& block, const AntialiasO
             }
         }
         samples.trace(wanted, take);
+        for (const auto& w : wanted) errors[w.pixel] = shown_error(pixels[w.pixel], distance);
     } while (!wanted.empty());
     for (size_t i = 0; i < pixels.size(); ++i) {
         const auto mean = [&](size_t channel) { return static_cast<float>(pixels[i].mean(channel)); };

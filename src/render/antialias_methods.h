@@ -3,6 +3,15 @@
 
 namespace rb {
 
+/// Method 1 (shading spec 12.3): pixels that differ from the one to the left or above get depth^2 samples
+/// more. `borders`: what other blocks know already, or null.
+void render_by_neighbours(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
+                          const SampleDistance& distance, BlockBorders* borders, std::span<Radiance> out);
+
+/// Method 2 (shading spec 12.4): pixels whose corners differ are quartered, `depth` times at the most.
+void render_by_corners(Sampler& sampler, const PixelBlock& block, const AntialiasOptions& options,
+                       const SampleDistance& distance, std::span<Radiance> out);
+
 /// Method 3 of POV-Ray 3.8 (shading spec 20.2): a pixel gets samples until those of it and the four pixels
 /// beside it say, with the options' confidence, that the mean is known within the threshold; 4^depth at the
 /// most. Samples are spread evenly instead of at random, and pixels of other blocks are not looked at, as in
