@@ -17,7 +17,7 @@ struct AntialiasOptions {
     double gamma = 2.5;
     double confidence = 0.9;  ///< method 3
     double error = 0.005;     ///< method_by_error: standard error of a pixel, as a picture shows it (0..1)
-    uint32_t max_samples = 1024;  ///< of a pixel by that method
+    uint32_t max_samples = 1024;  ///< of a pixel by that method, but 4 in any case
 };
 
 /// AntialiasOptions::method of our own: each pixel is sampled until its error is small enough.

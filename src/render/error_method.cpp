@@ -3,6 +3,7 @@
 #include "render/pixel_samples.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -95,7 +96,8 @@ void render_by_error(Sampler& sampler, const PixelBlock& block, const AntialiasO
     PixelSamples samples(sampler, block, LensRays::one_each);
     std::vector<QuarteredPixel> pixels(samples.pixel_count());
     // Through a lens, what is seen at the corners says too little about what is between them.
-    const uint32_t fewest = sampler.has_open_lens() ? fewest_through_lens : fewest_samples;
+    const uint32_t ceiling = std::max(std::bit_floor(options.max_samples), quarters);
+    const uint32_t fewest = std::min(sampler.has_open_lens() ? fewest_through_lens : fewest_samples, ceiling);
     if (!sampler.has_open_lens())
         samples.trace_corners([&](size_t i, const auto& corners) { pixels[i].take_corners(corners); });
     std::vector<double> errors;

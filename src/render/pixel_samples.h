@@ -66,9 +66,9 @@ public:
         for (const Wanted& w : wanted) {
             const Vec2 center = center_of(w.pixel);
             const uint64_t seed = sampler_.seed_at(center);
-            share_ = std::max(share_, 1.0f / static_cast<float>(w.first + w.count));
             for (uint32_t k = w.first; k < w.first + w.count; ++k) {
                 owners_.push_back(w.pixel);
+                share_ = std::max(share_, 1.0f / static_cast<float>(w.first + w.count));
                 positions_.push_back(center + scrambled_sobol(k, seed) - 0.5);
                 if (through_lens_places()) lens_places_.push_back(lens_place(k, seed));
                 if (positions_.size() == most_at_once) flush();

@@ -140,6 +140,7 @@ TEST_F(AdaptiveSampling, FocalBlurIsPartOfThePixel) {
     const RenderResult seen = to_error(0.02, 1);
     EXPECT_LT(rmse(seen.film, converged.film), 0.02);
     EXPECT_LT(seen.counters.camera, converged.counters.camera / 20);
+    EXPECT_EQ(to_error(0.0, 1, 8).counters.camera, 8u * width * height);
     // The camera's own samples fall on 256 places of a pixel, which lie 1/32 to the side, as if at random.
     options_.antialias.method = 0;
     const RenderResult by_camera = picture();
