@@ -62,7 +62,6 @@ template <class Numbers>
 RB_INLINE void store(const Numbers& from, double* out) {
     std::memcpy(out, &from, sizeof from);
 }
-RB_INLINE void spread(double from, Quad& out) { out = Quad{from, from, from, from}; }
 
 /// The four points from `from` on.
 RB_INLINE void load(const Vec3* from, QuadPoint& out) {

@@ -28,6 +28,8 @@ public:
     /// Samples that its mean is made of.
     uint32_t count() const { return count_; }
     bool has_corners_only() const { return has_corners_only_; }
+    /// Those of them that are not shared with its neighbours.
+    uint32_t own_count() const { return has_corners_only_ ? 0 : count_; }
     /// What its corners show stands for its quarters until it has samples of its own.
     void take_corners(const std::array<Radiance, quarters>& corners) {
         per_quarter_ = 1;
@@ -117,10 +119,8 @@ void render_by_error(Sampler& sampler, const PixelBlock& block, const AntialiasO
         wanted.clear();
         for (uint32_t i = 0; i < pixels.size(); ++i) {
             if (!wants_more(i)) continue;
-            const bool is_new = pixels[i].count() == 0 || pixels[i].has_corners_only();
-            const uint32_t count = pixels[i].count();
-            wanted.push_back(is_new ? PixelSamples::Wanted{i, 0, fewest}
-                                    : PixelSamples::Wanted{i, count, count});
+            const uint32_t own = pixels[i].own_count();
+            wanted.push_back({i, own, own == 0 ? fewest : own});
         }
         for (const auto& w : wanted) {
             if (w.first == 0) {

@@ -58,50 +58,56 @@ TEST(PhotonMap, FindsWhatLookingAtEachFinds) {
     }
 }
 
-// A smaller radius that holds as many finds the same ones in the same order, so that sums are the same bits.
-TEST(PhotonMap, KnownReachesChangeNothing) {
+/// Goes a long way in short steps. What `find` makes of a metric, a radius and what `keep` was told of the
+/// steps before, must be the same photons in the same order, so that sums are the same bits. `keep` is told
+/// of the steps that find as many as are looked for.
+template <class Find, class Keep>
+void walk(bool on_surfaces, Find&& find, Keep&& keep) {
     const PhotonMap map(clusters(5000));
-    KnownReaches known;
     std::vector<FoundPhoton> quick(30);
     std::vector<FoundPhoton> slow(30);
-    Vec3 place{0.5};
-    int shorter = 0;
+    PhotonMetric metric{Vec3{0.5}};
+    int full = 0;
     for (uint64_t i = 0; i < 2000; ++i) {
-        place += 0.01 * Vec3{draw(i, 1) - 0.5, draw(i, 2) - 0.5, draw(i, 3) - 0.5};
-        const double radius = 10.0 * draw(i, 4);
-        const double reach = known.at(place);
-        shorter += reach < radius ? 1 : 0;
-        const size_t count = map.find({place}, radius, slow);
-        ASSERT_EQ(map.find({place}, std::min(radius, reach), quick), count);
-        ASSERT_TRUE(
-            std::equal(quick.begin(), quick.begin() + static_cast<std::ptrdiff_t>(count), slow.begin()));
-        if (count == slow.size()) known.add(place, std::sqrt(std::ranges::max(slow).square));
-    }
-    EXPECT_GT(shorter, 1000);
-}
-
-TEST(PhotonMap, KnownPhotonsChangeNothing) {
-    const PhotonMap map(clusters(5000));
-    std::vector<uint32_t> known;
-    std::vector<FoundPhoton> quick(30);
-    std::vector<FoundPhoton> slow(30);
-    Vec3 place{0.5};
-    size_t full = 0;
-    for (uint64_t i = 0; i < 2000; ++i) {
-        place += 0.01 * Vec3{draw(i, 1) - 0.5, draw(i, 2) - 0.5, draw(i, 3) - 0.5};
-        const Vec3 normal = glm::normalize(Vec3{draw(i, 5) - 0.5, draw(i, 6) - 0.5, 0.3});
-        const PhotonMetric metric{place, i % 2 == 0 ? normal : Vec3{0.0}};
+        metric.place += 0.01 * Vec3{draw(i, 1) - 0.5, draw(i, 2) - 0.5, draw(i, 3) - 0.5};
+        if (on_surfaces) metric.normal = glm::normalize(Vec3{draw(i, 5) - 0.5, draw(i, 6) - 0.5, 0.3});
         const double radius = 10.0 * draw(i, 4);
         const size_t count = map.find(metric, radius, slow);
-        ASSERT_EQ(map.find_near(known, metric, radius, quick), count);
+        ASSERT_EQ(find(map, metric, radius, quick), count);
         ASSERT_TRUE(
             std::equal(quick.begin(), quick.begin() + static_cast<std::ptrdiff_t>(count), slow.begin()));
         if (count < slow.size()) continue;
         ++full;
-        known.resize(count);
-        std::ranges::transform(slow, known.begin(), &FoundPhoton::index);
+        keep(metric, slow);
     }
-    EXPECT_GT(full, 1000u);
+    EXPECT_GT(full, 1000);
+}
+
+TEST(PhotonMap, KnownReachesChangeNothing) {
+    KnownReaches known;
+    int shorter = 0;
+    const auto find = [&](const PhotonMap& map, const PhotonMetric& metric, double radius, auto& nearest) {
+        const double reach = known.at(metric.place);
+        shorter += reach < radius ? 1 : 0;
+        return map.find(metric, std::min(radius, reach), nearest);
+    };
+    walk(false, find, [&](const PhotonMetric& metric, const auto& found) {
+        known.add(metric.place, std::sqrt(std::ranges::max(found).square));
+    });
+    EXPECT_GT(shorter, 1000);
+}
+
+TEST(PhotonMap, KnownPhotonsChangeNothing) {
+    std::vector<uint32_t> known;
+    const auto find = [&](const PhotonMap& map, const PhotonMetric& metric, double radius, auto& nearest) {
+        return map.find_near(known, metric, radius, nearest);
+    };
+    for (const bool on_surfaces : {false, true}) {
+        walk(on_surfaces, find, [&](const PhotonMetric&, const auto& found) {
+            known.resize(found.size());
+            std::ranges::transform(found, known.begin(), &FoundPhoton::index);
+        });
+    }
 }
 
 TEST(PhotonMap, KeepsEveryPhoton) {
