@@ -11,11 +11,10 @@ usage: bench/error_time.py RENDERBOY [-n RUNS] [--povray povray] [--only SCENE]
 import argparse
 import math
 import os
-import resource
 import subprocess
 import tempfile
 
-from noise import ROOT, picture, rmse
+from noise import ROOT, rmse, srgb, timed
 
 SIZE = (320, 240)
 FINER = 5  # times as many pixels along each side
@@ -44,16 +43,6 @@ SCENES = {
 }
 
 
-def timed(program, scene, words, runs):
-    """The picture's channels, and the least user seconds."""
-    least = math.inf
-    for _ in range(runs):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        channels, _ = picture(program, scene, SIZE, "srgb", words)
-        least = min(least, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before)
-    return channels, least
-
-
 def supersampled(program, scene):
     """The channels of a picture of FINER * FINER * 37 samples a pixel, averaged unclipped."""
     with tempfile.TemporaryDirectory() as folder:
@@ -68,11 +57,6 @@ def supersampled(program, scene):
     return [srgb(float(channel)) for row in rows for channel in row]
 
 
-def srgb(linear):
-    linear = min(max(linear, 0.0), 1.0)
-    return 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
-
-
 def curves_of(renderboy, povray, name, runs):
     """For POV-Ray, RenderBoy with the same settings, and with its own: (words, seconds, error) of each setting."""
     settings, converged = SCENES[name]
@@ -82,10 +66,10 @@ def curves_of(renderboy, povray, name, runs):
         series.append((renderboy, OWN, CONVERGED))
     curves = []
     for program, words_of_points, converged in series:
-        reference = timed(program, scene, converged, 1)[0] if converged else supersampled(program, scene)
+        reference = timed(program, scene, SIZE, converged, 1)[0] if converged else supersampled(program, scene)
         points = []
         for words in words_of_points:
-            channels, seconds = timed(program, scene, words, runs)
+            channels, seconds = timed(program, scene, SIZE, words, runs)
             points.append((words, max(seconds, 0.001), 255 * rmse(channels, reference)))
         curves.append(points)
     return curves

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Error and time of radiosity on the scenes of scenes/radiosity/, beside POV-Ray's.
 
-The error is the RMSE (of 255) to the mean of several brute gathers. They come in two halves: the mean product of the differences from
-both is free of their own noise. Seconds are user CPU time, the least of several runs, on one thread.
+The error is the RMSE (of 255, gamma-encoded) to the mean of several brute gathers, taken in linear light, since the mean of noisy encoded values is
+too dark. They come in two halves: the mean product of the differences from both is free of their own noise. Seconds are user CPU time, the least of several runs, on one thread.
 
 usage: bench/radiosity.py RENDERBOY [-n RUNS] [--fine] [--povray povray] [--only SCENE ...] [--references FOLDER] [--with "WORDS" ...]
 """
@@ -11,11 +11,11 @@ import array
 import math
 import os
 
-from error_time import SIZE, timed
-from noise import ROOT, picture
+from noise import ROOT, picture, srgb, timed
 
 SCENES = ["cornell_box", "sunlit_room", "sky_dome", "colored_corner", "thin_walls", "many_objects"]
-HALF = 2
+HALF = 8
+SIZE = (160, 120)
 
 
 def path_of(scene):
@@ -23,12 +23,12 @@ def path_of(scene):
 
 
 def gathered(renderboy, scene, seeds):
-    """The mean of brute gathers of 64 rays, and 32 from each place that they meet."""
+    """The encoded mean of brute gathers of 48 rays, and 24 from each place that they meet."""
     sum_of = [0.0] * (3 * SIZE[0] * SIZE[1])
     for seed in seeds:
-        one, _ = picture(renderboy, path_of(scene), SIZE, "srgb", ["-A", "--gi", "brute", "Declare=Rays=16", f"--seed={seed}"])
+        one, _ = picture(renderboy, path_of(scene), SIZE, 1.0, ["-A", "--gi", "brute", "Declare=Rays=32", f"--seed={seed}"])
         sum_of = [s + v / len(seeds) for s, v in zip(sum_of, one)]
-    return sum_of
+    return [srgb(s) for s in sum_of]
 
 
 def references(renderboy, scene, folder):
@@ -69,7 +69,7 @@ def main():
     for scene in options.only:
         halves = references(renderboy, scene, options.references)
         for program, words in series:
-            channels, seconds = timed(program, path_of(scene), ["-A"] + ["Declare=Fine=1"] * options.fine + words.split(), options.runs)
+            channels, seconds = timed(program, path_of(scene), SIZE, ["-A"] + ["Declare=Fine=1"] * options.fine + words.split(), options.runs)
             name = f"`{words}`" if program == renderboy else "POV-Ray"
             print(f"| {scene} | {name} | {error(channels, halves):.2f} | {seconds:.2f} |", flush=True)
 

@@ -10,9 +10,9 @@ scripts/install_packages.sh test
 echo "== image tests under the sanitizers"
 cmake --preset asan > /dev/null
 cmake --build --preset asan --target image_tests renderboy
-ctest --preset asan -L images
-
 failed=0
+ctest --preset asan -L images || failed=1
+
 echo "== every sample scene and include file is read"
 scripts/check_samples.sh build/asan/renderboy || failed=1
 
