@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/scratch.h"
 #include "math/random.h"
+#include "radiosity/smooth.h"
 
 #include <algorithm>
 #include <bit>
@@ -112,6 +113,12 @@ void CachedLight::learn(std::span<const IndirectPlace> places, int depth, Covera
     }
 }
 
+void CachedLight::smooth(int threads) {
+    // Later bounces gain nothing: the gathers that ask them even out their noise.
+    IrradianceCache& cache = caches_.front();
+    cache.relight(smoothed(cache.records(), rays_.quality().bounds.front(), threads));
+}
+
 /// What would have been said of places without the records that they are going to have.
 void CachedLight::compare(std::span<const IrradianceRecord> records) {
     for (const IrradianceRecord& record : records) {
@@ -172,8 +179,12 @@ IrradianceRecord CachedLight::record_of(const IndirectPlace& place, int depth,
     // is.
     const double near = 0.5 * gathered.nearest / quality.bounds[static_cast<size_t>(depth)];
     const double least = std::max(quality.minimum_radius, quality.minimum_reach / quality.bounds.front());
-    record.radius = std::clamp(std::min({gathered.distance, steady, near}), least * scale,
-                               std::max(least, quality.maximum_radius) * scale);
+    const auto radius = [&](double wanted) {
+        return std::clamp(wanted, least * scale, std::max(least, quality.maximum_radius) * scale);
+    };
+    record.wide_radius = radius(std::min(gathered.distance, steady));
+    record.radius = std::min(record.wide_radius, radius(near));
+    record.variance = gathered.variance;
     return record;
 }
 

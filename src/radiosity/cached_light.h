@@ -26,6 +26,9 @@ public:
     void learn(std::span<const IndirectPlace> places, int depth, Coverage coverage, int threads,
                const std::atomic<bool>& stop);
 
+    /// What is known of places seen by the eye has less noise from then on (see smoothed()).
+    void smooth(int threads);
+
     /// All that it has learned.
     StoredLight stored() const;
     /// Puts it in before anything is learned; false if that was learned of another scene (by its numbers of

@@ -22,18 +22,11 @@ double bound_for(double written) {
     return std::min(loosest_bound, share * written);
 }
 
-/// As many as written, up to half as many again where those are few: their noise makes records that reach
-/// less far, and so does not save as much time as they do.
-double rays_for(int count) {
-    constexpr int enough = 128;
-    return std::clamp(count, std::min(count + count / 2, enough), most_rays);
-}
-
 }  // namespace
 
 GatherQuality::GatherQuality(const RadiositySettings& settings, double error)
     : minimum_radius(settings.minimum_reuse), maximum_radius(settings.maximum_reuse) {
-    double count = rays_for(settings.count);
+    double count = std::min(settings.count, most_rays);
     double bound = bound_for(settings.error_bound * settings.low_error_factor);
     if (error > 0.0) {
         // Measured: errors grow about as the bound, and shrink as the number of rays, to these powers.

@@ -9,17 +9,19 @@ namespace {
 
 /// A place below a record sees what the record does not.
 constexpr double behind = -0.05;
-/// Of a turn's chord in the error: the gradient answers for most of it.
-constexpr double turn_share = 0.5;
+}  // namespace
 
-/// What a record says of a place near it. A gradient may not make light out of nothing.
 Rgb extrapolated(const IrradianceRecord& record, const Vec3& point, const Vec3& normal) {
     const Rgb change = record.translation.along(point - record.point) +
                        record.rotation.along(glm::cross(record.normal, normal));
+    // A gradient may not make light out of nothing.
     return glm::clamp(record.mean + change, 0.5f * record.mean, 2.0f * record.mean);
 }
 
-}  // namespace
+double error_of_turn(const Vec3& from, const Vec3& to) {
+    constexpr double share_of_chord = 0.5;
+    return share_of_chord * std::sqrt(std::max(0.0, 1.0 - glm::dot(from, to)));
+}
 
 void IrradianceCache::insert(const IrradianceRecord& record) {
     const double reach = record.radius * bound_;
@@ -67,10 +69,9 @@ void IrradianceCache::put(uint32_t node, const Cube& cube, const Entry& entry, d
 
 double IrradianceCache::weight_of(const IrradianceRecord& record, const Vec3& point,
                                   const Vec3& normal) const {
-    const double turned = glm::dot(normal, record.normal);
     const Vec3 way = point - record.point;
     const double distance = glm::length(way);
-    const double error = distance / record.radius + turn_share * std::sqrt(std::max(0.0, 1.0 - turned));
+    const double error = distance / record.radius + error_of_turn(record.normal, normal);
     if (!(error < bound_)) return 0.0;
     const Vec3 both = normal + record.normal;
     if (glm::dot(way, both) < behind * distance * glm::length(both)) return 0.0;

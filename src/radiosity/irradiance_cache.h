@@ -14,7 +14,16 @@ struct IrradianceRecord {
     Gradient rotation;     ///< change of the mean with the normal turned about an axis
     Gradient translation;  ///< change of the mean with the place
     double radius = 0;     ///< the error grows by 1 over it
+    /// Likewise, for places whose light is known to be alike (see smoothed()).
+    double wide_radius = 0;
+    double variance = 0;  ///< of the mean, by chance; mean over the channels
 };
+
+/// What a record says of a place near it.
+Rgb extrapolated(const IrradianceRecord& record, const Vec3& point, const Vec3& normal);
+
+/// How far a turn of the normal counts as an error: its gradient answers for most of it.
+double error_of_turn(const Vec3& from, const Vec3& to);
 
 /// Records of indirect light by place, for interpolation (Ward, Rubinstein and Clear 1988, "A Ray Tracing
 /// Solution for Diffuse Interreflection"). Lookups may run at once, but not together with insert().
@@ -24,6 +33,9 @@ public:
     explicit IrradianceCache(double bound) : bound_(bound) {}
 
     void insert(const IrradianceRecord& record);
+
+    /// The same records, where they are, with other light.
+    void relight(std::vector<IrradianceRecord> records) { records_ = std::move(records); }
 
     struct Found {
         Rgb mean{0.0f};

@@ -28,11 +28,13 @@ struct LightFields {
         pass(record.rotation);
         pass(record.translation);
         file.value(record.radius);
+        file.value(record.wide_radius);
+        file.value(record.variance);
     }
     void pass(SurfelGrid::Cell& cell) {
         file.value(cell.key);
         file.value(cell.light);
-        file.value(cell.state);
+        file.value(cell.count);
     }
     void pass(Outlook::Spot& spot) {
         file.value(spot.direction);
@@ -71,7 +73,7 @@ static_assert(std::endian::native == std::endian::little);
 
 struct Header {
     std::array<char, 8> kind{'R', 'B', 'L', 'I', 'G', 'H', 'T', '\0'};
-    uint64_t version = 1;
+    uint64_t version = 2;
     uint64_t size = 0;
     uint64_t hash = 0;
 };

@@ -73,11 +73,11 @@ RadiosityReport Radiosity::report() const {
     return report;
 }
 
-void Radiosity::prepare(const PictureSurvey& survey, const PictureExtent& extent, int threads,
+void Radiosity::prepare(const PictureSurvey& survey, int longer_side, int threads,
                         const std::atomic<bool>& stop, const RadiosityFiles& files) {
     if (!cached_) return;
     if (!files.load.empty()) load(files.load);
-    if (files.load.empty() || !files.save.empty()) learn(survey, extent, threads, stop);
+    if (files.load.empty() || !files.save.empty()) learn(survey, longer_side, threads, stop);
     if (files.save.empty() || stop.load(std::memory_order_relaxed)) return;
     write_light(files.save, cached_->stored());
 }
@@ -87,20 +87,22 @@ void Radiosity::load(const std::string& path) {
     throw IoError("The radiosity file " + path + " was made for another scene or with other settings.");
 }
 
-void Radiosity::learn(const PictureSurvey& survey, const PictureExtent& extent, int threads,
+void Radiosity::learn(const PictureSurvey& survey, int longer_side, int threads,
                       const std::atomic<bool>& stop) {
     constexpr int finest = 2;
-    const double widest = rays_.settings().pretrace_start * extent.longer_side;
+    const double widest = rays_.settings().pretrace_start * longer_side;
     const int first = std::max(finest, static_cast<int>(widest));
     // Some ten thousand places, however large the picture is.
-    const int coarse = std::max(std::min(first, 8), extent.longer_side / 256);
+    const int coarse = std::max(std::min(first, 8), longer_side / 256);
     if (rays_.settings().recursion_limit > 1)
         learn_later_bounces(survey(coarse, nullptr, Coverage::any), threads, stop);
     const auto learn = [&](int step, Coverage coverage) {
         cached_->learn(survey(step, cached_.get(), coverage), 0, coverage, threads, stop);
     };
     for (int step = first; step >= finest; step /= 2) learn(step, Coverage::ample);
-    if (extent.several_samples) learn(1, Coverage::any);
+    // What no record was found for is for a pixel or two.
+    learn(1, Coverage::any);
+    cached_->smooth(threads);
 }
 
 /// From the last bounce to the second, so that each can ask the one after it.

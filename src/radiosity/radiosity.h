@@ -25,15 +25,10 @@ private:
     const RayGather& rays_;
 };
 
-/// Lists the places that ask along camera rays `step` pixels apart, without those that `known` (or null) has
-/// records of.
+/// Lists the places that ask along camera rays `step` pixels apart (1: what every pixel sees, or some place
+/// of it where the picture looks at several), without those that `known` (or null) has records of.
 using PictureSurvey =
     std::function<std::vector<IndirectPlace>(int step, const CachedLight* known, Coverage coverage)>;
-
-struct PictureExtent {
-    int longer_side;       ///< in pixels
-    bool several_samples;  ///< of a pixel: what none of them finds a record for is then gathered before
-};
 
 /// Files that what is found comes from and goes to; empty: none.
 struct RadiosityFiles {
@@ -64,9 +59,9 @@ public:
 
     /// Before light() is asked. Ends soon once `stop` is true. What is loaded is all that is known, unless it
     /// is to be saved again: then the picture adds what it lacks. Throws IoError where a file is not what it
-    /// should be. GiMode::brute has no use for files.
-    void prepare(const PictureSurvey& survey, const PictureExtent& extent, int threads,
-                 const std::atomic<bool>& stop, const RadiosityFiles& files = {});
+    /// should be. GiMode::brute has no use for files. `longer_side`: of the picture, in pixels.
+    void prepare(const PictureSurvey& survey, int longer_side, int threads, const std::atomic<bool>& stop,
+                 const RadiosityFiles& files = {});
 
     const IndirectLight& light() const;
 
@@ -79,8 +74,7 @@ public:
 
 private:
     void load(const std::string& path);
-    void learn(const PictureSurvey& survey, const PictureExtent& extent, int threads,
-               const std::atomic<bool>& stop);
+    void learn(const PictureSurvey& survey, int longer_side, int threads, const std::atomic<bool>& stop);
     void learn_later_bounces(std::vector<IndirectPlace> places, int threads, const std::atomic<bool>& stop);
     std::vector<IndirectPlace> met_from(std::span<const IndirectPlace> places, int depth, int threads,
                                         const std::atomic<bool>& stop) const;

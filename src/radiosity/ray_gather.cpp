@@ -33,6 +33,12 @@ bool uses_outlooks(const GatherTask& task) {
 /// Rays of a gather whose error hardly shows.
 constexpr int few_rays = 5;
 
+/// Of a gather that matters to a pixel or two, where records have so many.
+int rays_for_pixel(int rays_of_record) {
+    constexpr int enough = 64;
+    return std::max(std::min(rays_of_record, enough), rays_of_record / 2);
+}
+
 }  // namespace
 
 /// What came from the cells of a hemisphere.
@@ -42,6 +48,7 @@ struct RayGather::Cells {
 
     Gradient rotation(const Rgb& mean) const;
     Gradient translation() const;
+    double variance() const;
 
 private:
     std::span<const GatheredLight> ring(int index) const {
@@ -90,11 +97,31 @@ Gradient RayGather::Cells::translation() const {
     return gradient;
 }
 
+/// Of the mean: what a cell has by chance shows in how it differs from the next one of its ring.
+double RayGather::Cells::variance() const {
+    const int sectors = hemisphere.grid().sectors();
+    double sum = 0;
+    size_t cells = 0;
+    for (int j = 0; j < hemisphere.grid().rings(); ++j) {
+        for (int sector = 0; sector < sectors; ++sector) {
+            const GatheredLight& here = ring(j)[static_cast<size_t>(sector)];
+            const GatheredLight& next = ring(j)[static_cast<size_t>((sector + 1) % sectors)];
+            const GatheredLight& before = ring(j)[static_cast<size_t>((sector + sectors - 1) % sectors)];
+            if (here.distance == 0.0 || next.distance == 0.0 || before.distance == 0.0) continue;
+            const Rgb apart = here.rgb - 0.5f * (before.rgb + next.rgb);
+            sum += static_cast<double>(glm::dot(apart, apart));
+            ++cells;
+        }
+    }
+    constexpr double channels = 3.0;
+    return cells == 0 ? 0.0 : 2.0 / 3.0 / channels * sum / std::pow(static_cast<double>(cells), 2);
+}
+
 RayGather::RayGather(const World& world, const ShadingOptions& options, double error,
                      std::shared_ptr<const PhotonLight> photons)
     : program_(world, options, RayPurpose::gather),
       quality_(*world.settings.radiosity, error),
-      pixel_grid_(std::max(few_rays, quality_.rays.front() / 2)),
+      pixel_grid_(rays_for_pixel(quality_.rays.front())),
       part_grid_(std::max(few_rays, quality_.rays.front() / 2 / 4)),
       coarse_grid_(few_rays) {
     program_.photons = std::move(photons);
@@ -243,8 +270,10 @@ Gathered RayGather::summed(const Cells& cells, bool gradients) const {
     const Rgb mean = sum.mean / static_cast<float>(count);
     sum.mean = toned(mean);
     sum.distance = inverse_distances > 0.0 ? static_cast<double>(count) / inverse_distances : infinity;
+    if (!gradients) return sum;
+    sum.variance = std::pow(settings().brightness, 2) * cells.variance();
     // Where directions are missing nothing is known of what moves in or out.
-    if (!gradients || count < cells.light.size()) return sum;
+    if (count < cells.light.size()) return sum;
     sum.rotation = cells.rotation(mean);
     sum.translation = cells.translation();
     for (Gradient* gradient : {&sum.rotation, &sum.translation}) {

@@ -11,6 +11,7 @@ namespace rb {
 struct Gathered {
     Rgb mean{0.0f};       ///< mean radiance, weighted by the cosine; brightness and gray_threshold applied
     double distance = 0;  ///< harmonic mean of the distances to what is seen; infinite if there is nothing
+    double variance = 0;  ///< of the mean, by chance; mean over the channels
     double nearest = 0;   ///< distance of the nearest of it
     /// How the mean changes with the normal turned about an axis, and with the place moved in its tangent
     /// plane (Ward and Heckbert 1992, "Irradiance Gradients").

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rb {
 
@@ -16,11 +17,17 @@ uint64_t side_of(const Vec3& normal) {
     return static_cast<uint64_t>(2 * axis + (normal[axis] < 0.0 ? 1 : 0));
 }
 
+/// Surfels that agree by chance, on one side of a shadow's edge in a cell, answer wrongly for all gathers:
+/// with two of them pictures came out too bright or too dark as a whole.
+constexpr uint32_t enough = 4;
+/// A cell's count once two surfels have not agreed.
+constexpr uint32_t uneven = std::numeric_limits<uint32_t>::max();
+
 bool agree(const Rgb& a, const Rgb& b) {
     constexpr float tolerance = 0.5f;
     const Rgb apart = glm::abs(a - b);
-    const Rgb most = glm::max(a, b);
-    return std::max({apart.x, apart.y, apart.z}) <= tolerance * std::max({most.x, most.y, most.z});
+    const Rgb larger = glm::max(a, b);
+    return std::max({apart.x, apart.y, apart.z}) <= tolerance * std::max({larger.x, larger.y, larger.z});
 }
 
 }  // namespace
@@ -43,14 +50,14 @@ SurfelGrid::Key SurfelGrid::key_of(const Surfel& surfel) const {
 size_t SurfelGrid::slot_of(Key key) const {
     const size_t mask = cells_.size() - 1;
     size_t slot = key & mask;
-    while (cells_[slot].state != State::empty && cells_[slot].key != key) slot = (slot + 1) & mask;
+    while (cells_[slot].count != 0 && cells_[slot].key != key) slot = (slot + 1) & mask;
     return slot;
 }
 
 bool SurfelGrid::find(const Surfel& surfel, Rgb& light) const {
     if (cells_.empty()) return false;
     const Cell& cell = cells_[slot_of(key_of(surfel))];
-    if (cell.state != State::known) return false;
+    if (cell.count < enough || cell.count == uneven) return false;
     light = cell.light;
     return true;
 }
@@ -59,12 +66,12 @@ void SurfelGrid::insert(const Surfel& surfel) {
     if (2 * (count_ + 1) > cells_.size()) grow();
     const Key key = key_of(surfel);
     Cell& cell = cells_[slot_of(key)];
-    if (cell.state == State::empty) {
-        cell = {key, surfel.light, State::one};
+    if (cell.count == 0) {
+        cell = {key, surfel.light, 1};
         ++count_;
-    } else if (cell.state == State::one) {
-        cell.state = agree(cell.light, surfel.light) ? State::known : State::uneven;
-        cell.light = 0.5f * (cell.light + surfel.light);
+    } else if (cell.count < uneven - 1) {
+        cell.count = agree(cell.light, surfel.light) ? cell.count + 1 : uneven;
+        cell.light += (surfel.light - cell.light) / static_cast<float>(cell.count);
     }
 }
 
@@ -72,7 +79,7 @@ std::vector<SurfelGrid::Cell> SurfelGrid::cells() const {
     std::vector<Cell> used;
     used.reserve(count_);
     for (const Cell& cell : cells_) {
-        if (cell.state != State::empty) used.push_back(cell);
+        if (cell.count != 0) used.push_back(cell);
     }
     return used;
 }
@@ -90,7 +97,7 @@ void SurfelGrid::grow() {
     std::vector<Cell> old(std::max(fewest, 2 * cells_.size()));
     old.swap(cells_);
     for (const Cell& cell : old) {
-        if (cell.state != State::empty) cells_[slot_of(cell.key)] = cell;
+        if (cell.count != 0) cells_[slot_of(cell.key)] = cell;
     }
 }
 

@@ -7,7 +7,7 @@
 namespace rb {
 
 /// Light of matt surfaces in cells of a grid over each of their sides, in sizes of powers of two. A cell is
-/// known once two surfels in it agree. Where they do not (at the edge of a shadow, on both sides of a wall
+/// known once a few surfels in it agree. Where they do not (at the edge of a shadow, on both sides of a wall
 /// that stands in it) it never is. Lookups may run at once, but not together with insert().
 class SurfelGrid final : public SurfelLight {
 public:
@@ -19,11 +19,10 @@ public:
 
     /// What tells a cell from others: a hash, of which two cells have the same once in 2^63.
     using Key = uint64_t;
-    enum class State : uint32_t { empty, one, known, uneven };
     struct Cell {
         Key key = 0;
-        Rgb light{0.0f};  ///< of one surfel, or the mean of two
-        State state = State::empty;
+        Rgb light{0.0f};     ///< mean of its surfels, until two do not agree
+        uint32_t count = 0;  ///< of surfels; 0: empty
     };
     /// Those that hold surfels, and a grid of them again.
     std::vector<Cell> cells() const;

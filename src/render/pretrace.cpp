@@ -10,7 +10,7 @@ namespace {
 
 /// One row of grid cells, each seen through one place in it.
 void survey_row(const Integrator& integrator, const CameraRays& rays, const RenderOptions& options, int row,
-                int step, const IndirectLight& collector) {
+                int step, bool middles, const IndirectLight& collector) {
     Scratch::Scope memory(thread_scratch());
     const auto count = static_cast<size_t>((options.width + step - 1) / step);
     const auto positions = memory.take<Vec2>(count);
@@ -19,8 +19,9 @@ void survey_row(const Integrator& integrator, const CameraRays& rays, const Rend
     for (size_t i = 0; i < count; ++i) {
         const uint64_t place = mixed(options.seed, static_cast<uint64_t>(row) << 32 | i);
         const uint64_t cell = mixed(place, static_cast<uint64_t>(step));
-        positions[i] = {(static_cast<double>(i) + unit_random(mixed(cell, 0))) * step - 0.5,
-                        (row + unit_random(mixed(cell, 1))) * step - 0.5};
+        const Vec2 in_cell =
+            middles ? Vec2(0.5) : Vec2(unit_random(mixed(cell, 0)), unit_random(mixed(cell, 1)));
+        positions[i] = (Vec2(static_cast<double>(i), row) + in_cell) * static_cast<double>(step) - 0.5;
         batch[i].seed = mixed(cell, 2);
     }
     rays.at(positions, batch);
@@ -31,12 +32,14 @@ void survey_row(const Integrator& integrator, const CameraRays& rays, const Rend
 }  // namespace
 
 PictureSurvey survey_of(const Integrator& integrator, const CameraRays& rays, const RenderOptions& options,
-                        const std::atomic<bool>& stop) {
-    return [&integrator, &rays, &options, &stop](int step, const CachedLight* known, Coverage coverage) {
+                        bool middles, const std::atomic<bool>& stop) {
+    return [&integrator, &rays, &options, middles, &stop](int step, const CachedLight* known,
+                                                          Coverage coverage) {
         std::vector<std::vector<IndirectPlace>> rows(static_cast<size_t>((options.height + step - 1) / step));
         parallel_for(rows.size(), options.threads, stop, [&](size_t row) {
             const PlaceCollector collector(known, coverage, rows[row]);
-            survey_row(integrator, rays, options, static_cast<int>(row), step, collector);
+            survey_row(integrator, rays, options, static_cast<int>(row), step, middles && step == 1,
+                       collector);
         });
         std::vector<IndirectPlace> places;
         for (const auto& row : rows) places.insert(places.end(), row.begin(), row.end());

@@ -50,10 +50,11 @@ RenderResult render(const World& world, const RenderOptions& options, const std:
     const IndirectLight* indirect = nullptr;
     if (ShadingProgram::has_indirect_light(world, shading)) {
         radiosity.emplace(world, shading, options.gi, options.gi_error, integrator.program().photons);
-        radiosity->prepare(survey_of(integrator, rays, options, stop),
-                           {std::max(options.width, options.height),
-                            options.antialias.method != 0 || lens.is_open() || rays.rays_per_position() > 1},
-                           options.threads, stop, options.radiosity_files);
+        const bool middles =
+            options.antialias.method == 0 && !lens.is_open() && rays.rays_per_position() == 1;
+        radiosity->prepare(survey_of(integrator, rays, options, middles, stop),
+                           std::max(options.width, options.height), options.threads, stop,
+                           options.radiosity_files);
         indirect = &radiosity->light();
     }
     if (options.view_surfels && radiosity) {

@@ -164,7 +164,7 @@ TEST_P(Interpolated, ErrorAsAskedFor) {
 TEST_P(Interpolated, SmallBrightPatch) {
     constexpr double half = 0.06;
     const Film film =
-        film_of("count 64 error_bound 1 minimum_reuse 0.002 recursion_limit 1",
+        film_of("count 96 error_bound 1 minimum_reuse 0.002 recursion_limit 1",
                 "camera { orthographic location <0, 0, -20> direction z right 2*x up 2*y }\n"
                 "plane { z, 0 pigment { rgb 1 } }\n"
                 "box { <-0.06, -0.06, -1.001>, <0.06, 0.06, -1> pigment { rgb 50 } finish { diffuse 0 "
