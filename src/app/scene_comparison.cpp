@@ -101,7 +101,7 @@ void keep(const ComparedSide& side, const std::string& path) {
 
 }  // namespace
 
-SceneComparison::SceneComparison(const CompareSettings& settings, std::string folder)
+SceneComparison::SceneComparison(const CompareSettings& settings, const std::string& folder)
     : settings_(settings), folder_(fs::absolute(folder).string()) {
     povray_.path = find_program(settings.povray);
     if (povray_.path.empty()) throw IoError(fmt::format("{}: no such program", settings.povray));

@@ -32,7 +32,7 @@ struct ComparedScene {
 class SceneComparison {
 public:
     /// `folder`: where pictures and figures stay; it must exist. Throws IoError if a program is missing.
-    SceneComparison(const CompareSettings& settings, std::string folder);
+    SceneComparison(const CompareSettings& settings, const std::string& folder);
 
     ComparedScene compare(const SceneToCompare& scene) const;
 

@@ -58,7 +58,7 @@ private:
     mutable Crossing last_;
 };
 
-TessellatedShape::TessellatedShape(ShapePtr truth, TriangleMesh mesh, Hits hits)
+TessellatedShape::TessellatedShape(ShapePtr truth, const TriangleMesh& mesh, Hits hits)
     : truth_(std::move(truth)),
       mesh_(truth_->keyword(), mesh_data(mesh)),
       hits_(hits),

@@ -11,7 +11,7 @@ class TessellatedShape final : public Shape {
 public:
     enum class Hits { on_facets, refined };
 
-    TessellatedShape(ShapePtr truth, TriangleMesh mesh, Hits hits);
+    TessellatedShape(ShapePtr truth, const TriangleMesh& mesh, Hits hits);
 
     std::string_view keyword() const override { return truth_->keyword(); }
     Bounds bounds() const override { return truth_->bounds(); }

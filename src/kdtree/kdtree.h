@@ -109,7 +109,7 @@ public:
         } else if (!stack_.pop(far_, at_)) {
             return false;
         }
-        const uint32_t block = tree_.block_;
+        const size_t block = tree_.block_;
         while ((at_ & KdNode::leaf_bit) != 0) {
             if (leaf(tree_.references_.data() + block * KdNode::first_block(at_),
                      block * KdNode::block_count(at_)))
@@ -128,7 +128,7 @@ private:
     const double& t_max_;
     float far_;
     uint32_t at_ = 0;
-    WalkStack<7 * (most_depth + 12)> stack_;
+    WalkStack<size_t{7} * (most_depth + 12)> stack_;
 };
 
 template <class Leaf>

@@ -14,8 +14,8 @@ public:
             enter_from_[axis] = _mm256_set1_ps(_mm_cvtss_f32(ray.enter_from_[axis]));
             leave_from_[axis] = _mm256_set1_ps(_mm_cvtss_f32(ray.leave_from_[axis]));
             inverse_[axis] = _mm256_set1_ps(_mm_cvtss_f32(ray.inverse_[axis]));
-            first_[axis] = 16 * axis + 2 * ray.high_first_[axis];
-            last_[axis] = 16 * axis + 2 * ray.low_first_[axis];
+            first_[axis] = 16 * axis + 2 * size_t{ray.high_first_[axis]};
+            last_[axis] = 16 * axis + 2 * size_t{ray.low_first_[axis]};
         }
     }
 

@@ -87,13 +87,14 @@ RB_INLINE void weights_of(const QuadPlace& place, int point, PointWeights& out) 
 }
 
 /// Mixes the rows at one point. `offset`: where in the rows.
-RB_INLINE void mix_rows(const PointWeights& weight, const CornerRows& rows, int offset, Quad& out) {
+RB_INLINE void mix_rows(const PointWeights& weight, const CornerRows& rows, std::ptrdiff_t offset,
+                        Quad& out) {
     Quad row[8];
 #pragma GCC unroll 8
     for (int corner = 0; corner < 8; ++corner) load(rows[corner] + offset, row[corner]);
     Quad column[4];
 #pragma GCC unroll 4
-    for (int k = 0; k < 4; ++k) column[k] = weight.z[0] * row[2 * k] + weight.z[1] * row[2 * k + 1];
+    for (size_t k = 0; k < 4; ++k) column[k] = weight.z[0] * row[2 * k] + weight.z[1] * row[2 * k + 1];
     const Quad below = weight.x[0] * column[0] + weight.x[1] * column[1];
     const Quad above = weight.x[0] * column[2] + weight.x[1] * column[3];
     out = weight.y[0] * below + weight.y[1] * above;
@@ -141,7 +142,7 @@ RB_INLINE void find_rows(const LanePlace<Lanes>& place, int point, const Rows& r
 /// `Count` noises in the same cells; the rows of the next one are `stride` further on. `rows_of` finds the
 /// rows of a cell; with `HasValue` false they are slopes only.
 template <int Count, bool HasValue, class Rows>
-RB_INLINE void mix(const QuadPlace& place, const Rows& rows_of, int stride, Quad (&out)[Count]) {
+RB_INLINE void mix(const QuadPlace& place, const Rows& rows_of, std::ptrdiff_t stride, Quad (&out)[Count]) {
     CornerRows rows;
     Quad parts[Count][4];
     const auto mix_point = [&](int point) RB_INLINED {
@@ -189,7 +190,8 @@ RB_INLINE void weights_of_pair(const AxisWeights<Octs>& from, Oct (&out)[2]) {
 
 /// The mixed rows of two points.
 template <int Pair, int Count, class Rows>
-RB_INLINE void mix_pair(const OctPlace& place, const Rows& rows_of, int stride, Oct (&parts)[Count][4]) {
+RB_INLINE void mix_pair(const OctPlace& place, const Rows& rows_of, std::ptrdiff_t stride,
+                        Oct (&parts)[Count][4]) {
     CornerRows rows[2];
     find_rows(*from_memory(&place), 2 * Pair, rows_of, rows[0]);
     find_rows(*from_memory(&place), 2 * Pair + 1, rows_of, rows[1]);
@@ -212,7 +214,7 @@ RB_INLINE void mix_pair(const OctPlace& place, const Rows& rows_of, int stride, 
         }
         Oct column[4];
 #pragma GCC unroll 4
-        for (int k = 0; k < 4; ++k) column[k] = z[0] * row[2 * k] + z[1] * row[2 * k + 1];
+        for (size_t k = 0; k < 4; ++k) column[k] = z[0] * row[2 * k] + z[1] * row[2 * k + 1];
         const Oct below = x[0] * column[0] + x[1] * column[1];
         const Oct above = x[0] * column[2] + x[1] * column[3];
         parts[i][Pair] = y[0] * below + y[1] * above;
@@ -231,7 +233,7 @@ RB_INLINE void sum_neighbours(const Oct& a, const Oct& b, Oct& out) {
 
 /// The same at eight points.
 template <int Count, bool HasValue, class Rows>
-RB_INLINE void mix(const OctPlace& place, const Rows& rows_of, int stride, Oct (&out)[Count]) {
+RB_INLINE void mix(const OctPlace& place, const Rows& rows_of, std::ptrdiff_t stride, Oct (&out)[Count]) {
     Oct parts[Count][4];
     mix_pair<0>(place, rows_of, stride, parts);
     mix_pair<1>(place, rows_of, stride, parts);

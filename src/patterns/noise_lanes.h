@@ -67,7 +67,7 @@ struct Lattice {
                                     hash_table[second ^ above]};
         const double* values = value_rows.front().data();
 #pragma GCC unroll 4
-        for (int k = 0; k < 4; ++k) {
+        for (size_t k = 0; k < 4; ++k) {
             rows[2 * k] = values + row_starts[column[k] ^ z];
             rows[2 * k + 1] = values + row_starts[column[k] ^ behind];
         }
@@ -129,9 +129,9 @@ struct GradientLattice {
                                     tables.order[(first + y + 1) & mask],
                                     tables.order[(second + y + 1) & mask]};
 #pragma GCC unroll 4
-        for (int k = 0; k < 4; ++k) {
-            rows[2 * k] = tables.rows.data() + 3 * ((column[k] + z) & mask);
-            rows[2 * k + 1] = tables.rows.data() + 3 * ((column[k] + z + 1) & mask);
+        for (size_t k = 0; k < 4; ++k) {
+            rows[2 * k] = tables.rows.data() + size_t{3} * ((column[k] + z) & mask);
+            rows[2 * k + 1] = tables.rows.data() + size_t{3} * ((column[k] + z + 1) & mask);
         }
     }
 

@@ -16,12 +16,14 @@ namespace rb {
 #else
 #define RB_FOR_EACH_TARGET
 #endif
+// NOLINTBEGIN(bugprone-macro-parentheses): name is that of a function, parameters and arguments bring theirs.
 /// Defines the function `name` by a template `name_in`<Lanes>: by eights where the processor can, else by
 /// fours.
 #define RB_FOR_EACH_WIDTH(name, parameters, arguments)                                        \
     RB_FOR_EACH_TARGET static void name##_by_fours parameters { name##_in<Quads> arguments; } \
     RB_WIDE static void name##_by_eights parameters { name##_in<Octs> arguments; }            \
     void name parameters { has_wide() ? name##_by_eights arguments : name##_by_fours arguments; }
+// NOLINTEND(bugprone-macro-parentheses)
 #define RB_INLINE inline RB_INLINED
 #define RB_INLINED __attribute__((always_inline))  // of lambdas
 

@@ -34,6 +34,7 @@ struct FoundPhoton {
     double square = 0;
     uint32_t index = 0;
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): there is no pointer
     friend auto operator<=>(const FoundPhoton&, const FoundPhoton&) = default;
 };
 

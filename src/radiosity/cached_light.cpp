@@ -58,10 +58,11 @@ void CachedLight::gather(std::span<const IndirectPlace> places, int depth, std::
     }
     const auto missing = gaps.first(gap_count);
     if (depth == 0) {
-        const auto rest =
-            std::ranges::partition(missing, [&](uint32_t i) { return places[i].share > small_part; });
-        fill(places, missing.first(gap_count - rest.size()), depth, rays_.pixel_grid(), mean);
-        fill(places, missing.last(rest.size()), depth, rays_.part_grid(), mean);
+        const auto middle = std::partition(missing.begin(), missing.end(),
+                                           [&](uint32_t i) { return places[i].share > small_part; });
+        const auto large = static_cast<size_t>(middle - missing.begin());
+        fill(places, missing.first(large), depth, rays_.pixel_grid(), mean);
+        fill(places, missing.subspan(large), depth, rays_.part_grid(), mean);
     } else {
         fill(places, missing, depth, rays_.coarse_grid(), mean);
     }

@@ -1,6 +1,7 @@
 #include "radiosity/smooth.h"
 
 #include "base/parallel.h"
+#include "math/bounds.h"
 
 #include <algorithm>
 #include <cmath>

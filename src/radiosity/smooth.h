@@ -1,6 +1,8 @@
 #pragma once
 #include "radiosity/irradiance_cache.h"
 
+#include <span>
+
 namespace rb {
 
 /// The records with less of the noise that their gathers have by chance: each gets the mean light, and the

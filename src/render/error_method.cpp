@@ -103,6 +103,7 @@ void render_by_error(Sampler& sampler, const PixelBlock& block, const AntialiasO
     if (!sampler.has_open_lens())
         samples.trace_corners([&](size_t i, const auto& corners) { pixels[i].take_corners(corners); });
     std::vector<double> errors;
+    errors.reserve(pixels.size());
     for (const QuarteredPixel& pixel : pixels) errors.push_back(shown_error(pixel, distance));
     const auto wants_more = [&](size_t i) {
         const uint32_t count = pixels[i].count();
