@@ -109,9 +109,9 @@ public:
         } else if (!stack_.pop(far_, at_)) {
             return false;
         }
-        const size_t block = tree_.block_;
+        const uint32_t block = tree_.block_;
         while ((at_ & KdNode::leaf_bit) != 0) {
-            if (leaf(tree_.references_.data() + block * KdNode::first_block(at_),
+            if (leaf(tree_.references_.data() + size_t{block} * KdNode::first_block(at_),
                      block * KdNode::block_count(at_)))
                 return true;
             far_ = slabs.scaled_up(t_max_);
