@@ -22,11 +22,19 @@ double bound_for(double written) {
     return std::min(loosest_bound, share * written);
 }
 
+/// Smoothing does what the rays that are left out would have done, as far as records are so coarse that few
+/// rays are asked for.
+double rays_for(int count) {
+    constexpr int left_out = 25;
+    constexpr int few = 25;
+    return std::clamp(count - left_out, std::min(few, count), most_rays);
+}
+
 }  // namespace
 
-GatherQuality::GatherQuality(const RadiositySettings& settings, double error)
+GatherQuality::GatherQuality(const RadiositySettings& settings, bool smooth, double error)
     : minimum_radius(settings.minimum_reuse), maximum_radius(settings.maximum_reuse) {
-    double count = std::min(settings.count, most_rays);
+    double count = smooth ? rays_for(settings.count) : std::min(settings.count, most_rays);
     double bound = bound_for(settings.error_bound * settings.low_error_factor);
     if (error > 0.0) {
         // Measured: errors grow about as the bound, and shrink as the number of rays, to these powers.

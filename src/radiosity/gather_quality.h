@@ -14,8 +14,9 @@ struct GatherQuality {
     double maximum_radius = 0;
     double minimum_reach = 0;  ///< as far as any record is used: as in POV-Ray, whose bounds are looser
 
-    /// `error`: RMSE that is aimed at, in shares of white; 0: as the settings say.
-    GatherQuality(const RadiositySettings& settings, double error);
+    /// `smooth`: gathers make records that are smoothed, and can do with fewer rays. `error`: RMSE that is
+    /// aimed at, in shares of white; 0: as the settings say.
+    GatherQuality(const RadiositySettings& settings, bool smooth, double error);
 };
 
 }  // namespace rb

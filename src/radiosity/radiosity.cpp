@@ -22,7 +22,8 @@ void BruteLight::gather(std::span<const IndirectPlace> places, int depth, std::s
 
 Radiosity::Radiosity(const World& world, const ShadingOptions& options, GiMode mode, double error,
                      std::shared_ptr<const PhotonLight> photons)
-    : rays_(world, options, error, std::move(photons)), brute_(rays_) {
+    : rays_(world, options, {*world.settings.radiosity, mode != GiMode::brute, error}, std::move(photons)),
+      brute_(rays_) {
     if (mode != GiMode::brute)
         cached_ = std::make_unique<CachedLight>(rays_, world.camera.location, mode != GiMode::cache);
 }

@@ -117,10 +117,10 @@ double RayGather::Cells::variance() const {
     return cells == 0 ? 0.0 : 2.0 / 3.0 / channels * sum / std::pow(static_cast<double>(cells), 2);
 }
 
-RayGather::RayGather(const World& world, const ShadingOptions& options, double error,
+RayGather::RayGather(const World& world, const ShadingOptions& options, GatherQuality quality,
                      std::shared_ptr<const PhotonLight> photons)
     : program_(world, options, RayPurpose::gather),
-      quality_(*world.settings.radiosity, error),
+      quality_(std::move(quality)),
       pixel_grid_(rays_for_pixel(quality_.rays.front())),
       part_grid_(std::max(few_rays, quality_.rays.front() / 2 / 4)),
       coarse_grid_(few_rays) {

@@ -34,9 +34,8 @@ struct GatherTask {
 /// Gathers light at places by rays over the hemisphere.
 class RayGather {
 public:
-    /// `world` must outlive it, and have radiosity settings. `error`: see GatherQuality.
-    /// `photons`: what surfaces show of them, or null.
-    RayGather(const World& world, const ShadingOptions& options, double error,
+    /// `world` must outlive it, and have radiosity settings. `photons`: what surfaces show of them, or null.
+    RayGather(const World& world, const ShadingOptions& options, GatherQuality quality,
               std::shared_ptr<const PhotonLight> photons);
 
     const RadiositySettings& settings() const { return *program_.world.settings.radiosity; }
