@@ -40,7 +40,7 @@ GatherQuality::GatherQuality(const RadiositySettings& settings, bool smooth, dou
         // Measured: errors grow about as the bound, and shrink as the number of rays, to these powers.
         constexpr double usual = 0.005;
         constexpr double finest_radius = 0.004;
-        count = std::clamp(256.0 * std::pow(usual / error, 1.5), 64.0, double{most_rays});
+        count = std::clamp(256.0 * std::pow(usual / error, 1.5), 24.0, double{most_rays});
         bound = std::min(loosest_bound, 0.13 * std::pow(error / usual, 2.0 / 3.0));
         minimum_radius = std::min(minimum_radius, finest_radius);
     }
