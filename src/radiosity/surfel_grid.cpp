@@ -17,9 +17,7 @@ uint64_t side_of(const Vec3& normal) {
     return static_cast<uint64_t>(2 * axis + (normal[axis] < 0.0 ? 1 : 0));
 }
 
-/// Surfels that agree by chance, on one side of a shadow's edge in a cell, answer wrongly for all gathers:
-/// with two of them pictures came out too bright or too dark as a whole.
-constexpr uint32_t enough = 4;
+constexpr uint32_t enough = 2;
 /// A cell's count once two surfels have not agreed.
 constexpr uint32_t uneven = std::numeric_limits<uint32_t>::max();
 
@@ -70,7 +68,7 @@ void SurfelGrid::insert(const Surfel& surfel) {
         cell = {key, surfel.light, 1};
         ++count_;
     } else if (cell.count < uneven - 1) {
-        cell.count = agree(cell.light, surfel.light) ? cell.count + 1 : uneven;
+        cell.count = cell.count >= enough || agree(cell.light, surfel.light) ? cell.count + 1 : uneven;
         cell.light += (surfel.light - cell.light) / static_cast<float>(cell.count);
     }
 }

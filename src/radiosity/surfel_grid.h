@@ -7,8 +7,9 @@
 namespace rb {
 
 /// Light of matt surfaces in cells of a grid over each of their sides, in sizes of powers of two. A cell is
-/// known once a few surfels in it agree. Where they do not (at the edge of a shadow, on both sides of a wall
-/// that stands in it) it never is. Lookups may run at once, but not together with insert().
+/// known once two surfels in it agree, with the mean of these and all that come later. Where they do not (at
+/// the edge of a shadow, on both sides of a wall that stands in it) it never is. Lookups may run at once, but
+/// not together with insert().
 class SurfelGrid final : public SurfelLight {
 public:
     /// `least`: size of the smallest cells, per distance from the eye.
