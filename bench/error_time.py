@@ -14,7 +14,7 @@ import os
 import subprocess
 import tempfile
 
-from noise import ROOT, rmse, srgb, timed
+from pictures import ROOT, rmse, srgb, timed
 
 SIZE = (320, 240)
 FINER = 5  # times as many pixels along each side

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Error and time of radiosity on the scenes of scenes/radiosity/, beside POV-Ray's.
 
-The error is the RMSE (of 255, gamma-encoded) to the mean of several brute gathers, taken in linear light, since the mean of noisy encoded values is
-too dark. They come in two halves: the mean product of the differences from both is free of their own noise. Seconds are user CPU time, the least of several runs, on one thread.
+The error is the RMSE (of 255, gamma-encoded) to the mean of several brute gathers, taken in linear light, since the
+mean of noisy encoded values is too dark. They come in two halves: the mean product of the differences from both is free
+of their own noise. Seconds are user CPU time, the least of several runs, on one thread.
 
 usage: bench/radiosity.py RENDERBOY [-n RUNS] [--fine] [--povray povray] [--only SCENE ...] [--references FOLDER] [--with "WORDS" ...]
 """
@@ -11,7 +12,7 @@ import array
 import math
 import os
 
-from noise import ROOT, picture, srgb, timed
+from pictures import ROOT, picture, srgb, timed
 
 SCENES = ["cornell_box", "sunlit_room", "sky_dome", "colored_corner", "thin_walls", "many_objects"]
 HALF = 8

@@ -6,11 +6,11 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/install_packages.sh test
+failed=0
 
 echo "== image tests under the sanitizers"
 cmake --preset asan > /dev/null
 cmake --build --preset asan --target image_tests renderboy
-failed=0
 ctest --preset asan -L images || failed=1
 
 echo "== every sample scene and include file is read"

@@ -5,6 +5,12 @@
 
 namespace rb {
 
+/// 0 to 2: the axis of the largest of three lengths; of equal ones the first.
+inline int longest_axis(const Vec3& lengths) {
+    if (lengths.x >= lengths.y && lengths.x >= lengths.z) return 0;
+    return lengths.y >= lengths.z ? 1 : 2;
+}
+
 /// Two unit vectors that stand on a unit vector and on each other (Frisvad 2012, revised by Duff et al. 2017,
 /// "Building an Orthonormal Basis, Revisited").
 struct Across {

@@ -26,7 +26,7 @@ double bound_for(double written) {
 /// rays are asked for.
 double rays_for(int count) {
     constexpr int left_out = 25;
-    constexpr int few = 25;
+    constexpr int few = 35;
     return std::clamp(count - left_out, std::min(few, count), most_rays);
 }
 

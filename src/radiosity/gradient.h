@@ -15,14 +15,6 @@ struct Gradient {
         for (size_t i = 0; i < 3; ++i)
             per_axis[i] += static_cast<float>(direction[static_cast<int>(i)]) * amount;
     }
-    void add(const Gradient& other, float weight) {
-        for (size_t i = 0; i < 3; ++i) per_axis[i] += weight * other.per_axis[i];
-    }
-    friend Gradient operator*(float factor, const Gradient& gradient) {
-        Gradient result;
-        result.add(gradient, factor);
-        return result;
-    }
     /// Makes of a gradient along directions the one of turns from an axis towards them.
     void turn_about(const Vec3& axis) {
         const auto row = [this](size_t i, size_t j, const Vec3& a) {

@@ -9,14 +9,14 @@ namespace {
 
 /// A place below a record sees what the record does not.
 constexpr double behind = -0.05;
-}  // namespace
-
+/// What a record says of a place near it. A gradient may not make light out of nothing.
 Rgb extrapolated(const IrradianceRecord& record, const Vec3& point, const Vec3& normal) {
     const Rgb change = record.translation.along(point - record.point) +
                        record.rotation.along(glm::cross(record.normal, normal));
-    // A gradient may not make light out of nothing.
     return glm::clamp(record.mean + change, 0.5f * record.mean, 2.0f * record.mean);
 }
+
+}  // namespace
 
 double error_of_turn(const Vec3& from, const Vec3& to) {
     constexpr double share_of_chord = 0.5;

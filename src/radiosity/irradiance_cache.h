@@ -19,9 +19,6 @@ struct IrradianceRecord {
     double variance = 0;  ///< of the mean, by chance; mean over the channels
 };
 
-/// What a record says of a place near it.
-Rgb extrapolated(const IrradianceRecord& record, const Vec3& point, const Vec3& normal);
-
 /// How far a turn of the normal counts as an error: its gradient answers for most of it.
 double error_of_turn(const Vec3& from, const Vec3& to);
 

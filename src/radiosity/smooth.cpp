@@ -1,6 +1,7 @@
 #include "radiosity/smooth.h"
 
 #include "base/parallel.h"
+#include "math/basis.h"
 #include "math/bounds.h"
 
 #include <algorithm>
@@ -32,8 +33,7 @@ private:
         if (end - begin < 2) return;
         Bounds box;
         for (size_t i = begin; i < end; ++i) box.include(records_[order_[i]].point);
-        const Vec3 size = box.hi - box.lo;
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+        const int axis = longest_axis(box.hi - box.lo);
         const size_t middle = begin + (end - begin) / 2;
         const auto at = [this](size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
         // Places may be the same: their numbers keep the order one and only.
@@ -98,24 +98,23 @@ double likeness(const Rgb& a, const Rgb& b, double variance) {
 }
 
 IrradianceRecord smoothed(const IrradianceRecord& record, const PlaceTree& places, double bound) {
-    IrradianceRecord sum;
+    Rgb sum(0.0f);
     double weights = 0;
+    double variances = 0;
     places.each_near(record.point, bound * record.wide_radius, [&](const IrradianceRecord& other) {
         double weight = weight_of(record, other, bound);
         if (weight == 0.0) return;
         const Rgb mean = carried(other, record);
         weight *= likeness(record.mean, mean, record.variance + other.variance);
-        const auto share = static_cast<float>(weight);
         weights += weight;
-        sum.mean += share * mean;
-        sum.rotation.add(other.rotation, share);
-        sum.translation.add(other.translation, share);
+        variances += weight * weight * other.variance;
+        sum += static_cast<float>(weight) * mean;
     });
+    // A bound so small that rounding makes a record too far from itself.
+    if (weights == 0.0) return record;
     IrradianceRecord result = record;
-    const auto unit = static_cast<float>(1.0 / weights);
-    result.mean = unit * sum.mean;
-    result.rotation = unit * sum.rotation;
-    result.translation = unit * sum.translation;
+    result.variance = variances / (weights * weights);
+    result.mean = sum / static_cast<float>(weights);
     return result;
 }
 

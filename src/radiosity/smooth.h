@@ -5,8 +5,8 @@
 
 namespace rb {
 
-/// The records with less of the noise that their gathers have by chance: each gets the mean light, and the
-/// mean gradients, of the records around it, moved to its place. Those count that each of the two could
+/// The records with less of the noise that their gathers have by chance: each gets the mean light of the
+/// records around it, carried to its place. Those count that each of the two could
 /// answer for with an error of three times `bound`, by their wide radii, and whose light differs by no more
 /// than chance explains.
 std::vector<IrradianceRecord> smoothed(std::span<const IrradianceRecord> records, double bound, int threads);

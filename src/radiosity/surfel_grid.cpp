@@ -1,10 +1,10 @@
 #include "radiosity/surfel_grid.h"
 
+#include "math/basis.h"
 #include "math/random.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rb {
 
@@ -12,14 +12,9 @@ namespace {
 
 /// The axis that a normal is nearest to, and its sign.
 uint64_t side_of(const Vec3& normal) {
-    const Vec3 size = glm::abs(normal);
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+    const int axis = longest_axis(glm::abs(normal));
     return static_cast<uint64_t>(2 * axis + (normal[axis] < 0.0 ? 1 : 0));
 }
-
-constexpr uint32_t enough = 2;
-/// A cell's count once two surfels have not agreed.
-constexpr uint32_t uneven = std::numeric_limits<uint32_t>::max();
 
 bool agree(const Rgb& a, const Rgb& b) {
     constexpr float tolerance = 0.5f;
@@ -55,7 +50,7 @@ size_t SurfelGrid::slot_of(Key key) const {
 bool SurfelGrid::find(const Surfel& surfel, Rgb& light) const {
     if (cells_.empty()) return false;
     const Cell& cell = cells_[slot_of(key_of(surfel))];
-    if (cell.count < enough || cell.count == uneven) return false;
+    if (!cell.is_known()) return false;
     light = cell.light;
     return true;
 }
@@ -67,8 +62,10 @@ void SurfelGrid::insert(const Surfel& surfel) {
     if (cell.count == 0) {
         cell = {key, surfel.light, 1};
         ++count_;
-    } else if (cell.count < uneven - 1) {
-        cell.count = cell.count >= enough || agree(cell.light, surfel.light) ? cell.count + 1 : uneven;
+    } else if (cell.count == 1 && !agree(cell.light, surfel.light)) {
+        cell.count = Cell::uneven;
+    } else if (cell.count < Cell::uneven - 1) {
+        ++cell.count;
         cell.light += (surfel.light - cell.light) / static_cast<float>(cell.count);
     }
 }

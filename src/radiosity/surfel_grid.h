@@ -2,6 +2,7 @@
 #include "shade/surfel.h"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace rb {
@@ -22,8 +23,11 @@ public:
     using Key = uint64_t;
     struct Cell {
         Key key = 0;
-        Rgb light{0.0f};     ///< mean of its surfels, until two do not agree
-        uint32_t count = 0;  ///< of surfels; 0: empty
+        Rgb light{0.0f};     ///< mean of its surfels
+        uint32_t count = 0;  ///< of surfels; 0: empty; `uneven`: the first two do not agree
+
+        static constexpr uint32_t uneven = std::numeric_limits<uint32_t>::max();
+        bool is_known() const { return count > 1 && count != uneven; }
     };
     /// Those that hold surfels, and a grid of them again.
     std::vector<Cell> cells() const;

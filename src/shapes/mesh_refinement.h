@@ -87,8 +87,9 @@ private:
     struct Edge {
         double length;
         uint64_t name;
-        size_t from;                                    ///< which corner of the face
-        auto operator<=>(const Edge&) const = default;  // NOLINT(modernize-use-nullptr): there is no pointer
+        size_t from;  ///< which corner of the face
+        // NOLINTNEXTLINE(modernize-use-nullptr): there is no pointer
+        auto operator<=>(const Edge&) const = default;
         bool is_same(const Edge& other) const { return name == other.name; }
     };
 
